@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_anatomy_anatomy_h
+#define lumbricus_anatomy_anatomy_h
+
+#include <lumbricus/anatomy/muscle.h>
+#include <lumbricus/anatomy/tissue.h>
+#include <lumbricus/core/named_sections.h>
+#include <lumbricus/core/registry.h>
+#include <lumbricus/geometry/geometry.h>
+
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * What the body is made of: a geometry, a tissue for every name the
+   * geometry has, and the muscles the tissues name.
+   */
+  class Anatomy : public ParameterOwner
+  {
+  public:
+    Anatomy();
+
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    bool
+    extend_parameters(dealii::ParameterHandler &prm,
+                      const Extent              extent) override;
+
+    void
+    check_parameters() const override;
+
+    /**
+     * Read the muscles' expressions and try them at the middle of every
+     * segment, at 101 times up to @p end_time. Throws ExcInput.
+     */
+    void
+    initialize(const double end_time);
+
+    const Geometry &
+    geometry() const;
+
+    /** Tissue number @p i, as in Region::tissue. */
+    const Tissue &
+    tissue(const unsigned int i) const;
+
+    bool
+    is_liquid(const unsigned int tissue) const;
+
+    /** Whether any tissue is liquid. */
+    bool
+    has_liquid() const;
+
+    /** The muscles of tissue number @p tissue. */
+    const std::vector<const Muscle *> &
+    muscles_of(const unsigned int tissue) const;
+
+    unsigned int
+    n_muscles() const;
+
+    const Muscle &
+    muscle(const unsigned int i) const;
+
+    /** The largest shear modulus of all tissues that are not liquid, or of
+     * all where there are no others. */
+    double
+    wall_stiffness() const;
+
+  private:
+    std::vector<std::string>
+    all_muscle_names() const;
+
+    Choice<Geometry>        geometry_choice;
+    NamedSections<Tissue>   tissues;
+    NamedSections<Muscle>   muscles;
+    std::vector<TissueName> tissue_names;
+
+    std::vector<std::vector<const Muscle *>> muscles_by_tissue;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_anatomy_muscle_h
+#define lumbricus_anatomy_muscle_h
+
+#include <lumbricus/activation/activation.h>
+#include <lumbricus/core/registry.h>
+#include <lumbricus/fibres/fibre_field.h>
+
+#include <string>
+
+namespace lumbricus
+{
+  /** A muscle: a family of fibres and its active stretch over time. */
+  class Muscle : public ParameterOwner
+  {
+  public:
+    explicit Muscle(const std::string &name);
+
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    bool
+    extend_parameters(dealii::ParameterHandler &prm,
+                      const Extent              extent) override;
+
+    void
+    check_parameters() const override;
+
+    /** Read the expressions. Throws ExcInput. */
+    void
+    initialize(const unsigned int n_segments);
+
+    const std::string &
+    name() const;
+
+    const FibreField &
+    fibres() const;
+
+    /**
+     * The active stretch lambda at time @p t in segment @p segment (from one)
+     * at reference position @p X. Throws ExcInput where it is not a positive
+     * number, naming muscle, segment and time.
+     */
+    double
+    active_stretch(const double              t,
+                   const unsigned int        segment,
+                   const dealii::Point<dim> &X) const;
+
+  private:
+    const std::string  muscle_name;
+    Choice<FibreField> fibre_choice;
+    Choice<Activation> activation_choice;
+  };
+} // namespace lumbricus
+
+#endif

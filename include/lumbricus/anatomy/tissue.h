@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_anatomy_tissue_h
+#define lumbricus_anatomy_tissue_h
+
+#include <lumbricus/core/registry.h>
+#include <lumbricus/materials/material_law.h>
+
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /** A tissue of the body: its law and the muscles whose fibres run in it. */
+  class Tissue : public ParameterOwner
+  {
+  public:
+    explicit Tissue(const std::string &name);
+
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    bool
+    extend_parameters(dealii::ParameterHandler &prm,
+                      const Extent              extent) override;
+
+    const std::string &
+    name() const;
+
+    const MaterialLaw &
+    law() const;
+
+    /** Names of sections in Muscles. */
+    const std::vector<std::string> &
+    muscles() const;
+
+  private:
+    const std::string        tissue_name;
+    Choice<MaterialLaw>      law_choice;
+    std::vector<std::string> muscle_names;
+  };
+} // namespace lumbricus
+
+#endif

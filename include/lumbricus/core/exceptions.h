@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_core_exceptions_h
+#define lumbricus_core_exceptions_h
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <string>
+
+namespace lumbricus
+{
+  /**
+   * The three ways a run can go wrong that are not bugs. Each carries one
+   * message that names what is wrong (parameter, segment, time, value) and
+   * what to do about it. All three are thrown on every rank alike.
+   */
+
+  /** The user's input is wrong: the program ends with exit code 1. */
+  DeclException1(ExcInput, std::string, << arg1);
+
+  /**
+   * Newton's method or the reset iteration did not converge. Load stepping,
+   * and nothing else, catches this one and tries a smaller step.
+   */
+  DeclException1(ExcNotConverged, std::string, << arg1);
+
+  /** The run cannot go on: exit code 2, with the last good state on disk. */
+  DeclException1(ExcSolveFailed, std::string, << arg1);
+
+  /** The plain message of an exception, without deal.II's frame and trace. */
+  std::string
+  plain_message(const dealii::ExceptionBase &exception);
+
+  /**
+   * Throw @p Exception on every rank if @p message is not empty on any rank;
+   * the message is that of the lowest such rank. Collective.
+   */
+  template <typename Exception>
+  void
+  throw_on_all_ranks(const std::string &message, const MPI_Comm comm);
+
+  /** The message of the lowest rank that has one, on every rank. Collective. */
+  std::string
+  first_message(const std::string &message, const MPI_Comm comm);
+
+
+
+  template <typename Exception>
+  void
+  throw_on_all_ranks(const std::string &message, const MPI_Comm comm)
+  {
+    const std::string first = first_message(message, comm);
+    AssertThrow(first.empty(), Exception(first));
+  }
+} // namespace lumbricus
+
+#endif

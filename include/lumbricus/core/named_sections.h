@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_core_named_sections_h
+#define lumbricus_core_named_sections_h
+
+#include <lumbricus/core/parameter_owner.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * One section per name, each an object of type @p T made with its name: the
+   * tissues, the muscles, the loads. The order is that of the names.
+   */
+  template <class T>
+  class NamedSections
+  {
+  public:
+    /**
+     * Declare a section for every name of @p names that has none yet, and
+     * extend all of them. With Extent::everything, a section for
+     * @p placeholder shows what one looks like.
+     */
+    bool
+    extend_parameters(dealii::ParameterHandler       &prm,
+                      const Extent                    extent,
+                      const std::vector<std::string> &names,
+                      const std::string              &placeholder)
+    {
+      bool       extended = false;
+      const auto all      = extent == Extent::everything ?
+                              std::vector<std::string>{placeholder} :
+                              names;
+      for (const std::string &name : all)
+        {
+          if (find(name) == nullptr)
+            {
+              sections.emplace_back(name, std::make_unique<T>(name));
+              prm.enter_subsection(name);
+              sections.back().second->declare_parameters(prm);
+              prm.leave_subsection();
+              extended = true;
+            }
+        }
+      for (auto &section : sections)
+        {
+          prm.enter_subsection(section.first);
+          extended |= section.second->extend_parameters(prm, extent);
+          prm.leave_subsection();
+        }
+      return extended;
+    }
+
+    void
+    check_parameters() const
+    {
+      for (const auto &section : sections)
+        section.second->check_parameters();
+    }
+
+    /** The object of that name, or nullptr. */
+    const T *
+    find(const std::string &name) const
+    {
+      for (const auto &section : sections)
+        if (section.first == name)
+          return section.second.get();
+      return nullptr;
+    }
+
+    std::size_t
+    size() const
+    {
+      return sections.size();
+    }
+
+    T &
+    operator[](const std::size_t i)
+    {
+      return *sections[i].second;
+    }
+
+    const T &
+    operator[](const std::size_t i) const
+    {
+      return *sections[i].second;
+    }
+
+  private:
+    std::vector<std::pair<std::string, std::unique_ptr<T>>> sections;
+  };
+} // namespace lumbricus
+
+#endif

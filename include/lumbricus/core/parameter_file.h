@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_core_parameter_file_h
+#define lumbricus_core_parameter_file_h
+
+#include <lumbricus/core/parameter_owner.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * Where the parameters of a run come from: a .prm file, the files it
+   * includes, and settings from the command line, the later ones winning.
+   *
+   * The syntax is deal.II's ParameterHandler's. A line `include other.prm`
+   * at the top of a file, before any other line, reads another file first;
+   * its path is relative to the file that includes it.
+   */
+  class ParameterFile
+  {
+  public:
+    /** Read a file and what it includes. Throws ExcInput. */
+    void
+    read(const std::string &file_name);
+
+    /** Take a setting "Section/Subsection/Name=value". Throws ExcInput. */
+    void
+    set(const std::string &setting);
+
+    /**
+     * Declare, read and extend the parameters of @p root until all that the
+     * input asks for is declared (see ParameterOwner), then check them. An
+     * unknown section or name, or a value of the wrong type or range, is an
+     * ExcInput that names the file, the line, the parameter and its nearest
+     * neighbour.
+     */
+    void
+    parse(ParameterOwner &root);
+
+    /** All parameters with the values of this run, to run it again. */
+    void
+    print_resolved(std::ostream &out);
+
+    /** All parameters there are, with documentation; @p root is fresh. */
+    static void
+    print_reference(ParameterOwner &root, std::ostream &out);
+
+  private:
+    struct Source
+    {
+      std::string name;
+      std::string text;
+    };
+
+    void
+    check_names() const;
+
+    void
+    parse_source(const Source &source, const bool skip_undefined);
+
+    std::vector<Source>      sources;
+    std::vector<std::string> being_read;
+
+    mutable dealii::ParameterHandler prm;
+  };
+} // namespace lumbricus
+
+#endif

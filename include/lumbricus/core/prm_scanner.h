@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_core_prm_scanner_h
+#define lumbricus_core_prm_scanner_h
+
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /** One `set` or `subsection` line of a parameter file. */
+  struct PrmLine
+  {
+    unsigned int number;
+    /** "Section/Subsection/Name" of the entry, or of the section itself. */
+    std::string path;
+    bool        is_section;
+  };
+
+  /**
+   * The outline of a parameter file: which sections and entries it names,
+   * where. Values are left to dealii::ParameterHandler.
+   */
+  std::vector<PrmLine>
+  scan_prm(const std::string &text);
+
+  /** "A/B/Name" into {"A", "B", "Name"}. */
+  std::vector<std::string>
+  split_path(const std::string &path);
+
+  /**
+   * The candidate that differs from @p word in the fewest letters, or an empty
+   * string where none is near enough to be what was meant.
+   */
+  std::string
+  nearest(const std::string &word, const std::vector<std::string> &candidates);
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_core_state_h
+#define lumbricus_core_state_h
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+namespace lumbricus
+{
+  /** Distributed vectors and matrices throughout are Trilinos'. */
+  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+  using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+
+  /**
+   * All that a run has to remember, as a value: copy it to roll back.
+   * Only Newton's method writes the solution, only the reset writes
+   * rest_displacement.
+   */
+  struct State
+  {
+    /** The load parameter, called time [any unit: the problem is static]. */
+    double time = 0.;
+    /** Displacement u [mm] and pressure variable p [N/mm^2], owned entries. */
+    Vector solution;
+    /** u_ref [mm]: where the liquid is free of stress; unused elsewhere. */
+    Vector rest_displacement;
+  };
+} // namespace lumbricus
+
+#endif

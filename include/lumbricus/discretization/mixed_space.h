@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_discretization_mixed_space_h
+#define lumbricus_discretization_mixed_space_h
+
+#include <lumbricus/core/dimension.h>
+#include <lumbricus/core/state.h>
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_values_extractors.h>
+#include <deal.II/fe/mapping_q_cache.h>
+#include <deal.II/grid/tria.h>
+
+#include <array>
+
+namespace lumbricus
+{
+  /**
+   * The discrete spaces on the mesh: Q2 displacements and discontinuous P1
+   * pressures (one FESystem), and discontinuous Q2 for the rest displacement
+   * u_ref of the liquid, so that a reset stays in its cell. Q2 mapping.
+   *
+   * On a cell, all of these are addressed by node (0..26, the order of
+   * FE_Q(2)) and component, and by pressure mode (0..3).
+   */
+  class MixedSpace
+  {
+  public:
+    static constexpr unsigned int degree           = 2;
+    static constexpr unsigned int n_nodes          = 27;
+    static constexpr unsigned int n_pressure_modes = 4;
+    static constexpr unsigned int n_q_points       = 27;
+
+    explicit MixedSpace(const dealii::Triangulation<dim> &triangulation);
+
+    /** Number the unknowns and compute the mapping, after every change of
+     * the mesh. Collective. */
+    void
+    distribute_dofs();
+
+    /** A state of rest at time zero. */
+    State
+    initial_state() const;
+
+    MPI_Comm
+    communicator() const;
+
+    const dealii::Triangulation<dim> &triangulation;
+
+    const dealii::FESystem<dim>              fe;
+    const dealii::FESystem<dim>              rest_fe;
+    const dealii::QGauss<dim>                quadrature;
+    const dealii::QGauss<dim - 1>            face_quadrature;
+    const dealii::FEValuesExtractors::Vector displacement;
+    const dealii::FEValuesExtractors::Scalar pressure;
+
+    dealii::MappingQCache<dim> mapping;
+    dealii::DoFHandler<dim>    dof_handler;
+    dealii::DoFHandler<dim>    rest_dof_handler;
+    dealii::IndexSet           locally_owned;
+    dealii::IndexSet           locally_relevant;
+
+    /** Index on the cell of displacement component c at node n: [c][n]. */
+    std::array<std::array<unsigned int, n_nodes>, dim> displacement_dof;
+    /** Index on the cell of pressure mode m. */
+    std::array<unsigned int, n_pressure_modes> pressure_dof;
+    /** Index on the cell of component c of u_ref at node n: [c][n]. */
+    std::array<std::array<unsigned int, n_nodes>, dim> rest_dof;
+  };
+} // namespace lumbricus
+
+#endif

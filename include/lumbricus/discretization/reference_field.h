@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_discretization_reference_field_h
+#define lumbricus_discretization_reference_field_h
+
+#include <lumbricus/anatomy/anatomy.h>
+#include <lumbricus/discretization/shape_cache.h>
+#include <lumbricus/reference_map/active_stretch.h>
+#include <lumbricus/reference_map/fluid_reset.h>
+
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * The reference map at every quadrature point of the locally owned cells:
+   * the active stretch of muscles, the rest shape of the liquid, the identity
+   * elsewhere. The only place that knows which cells are which.
+   */
+  class ReferenceField
+  {
+  public:
+    ReferenceField(const MixedSpace &space,
+                   const ShapeCache &shapes,
+                   const Anatomy    &anatomy,
+                   const ResetMode   mode);
+
+    /**
+     * Compute the fibre directions, after every change of the mesh.
+     * Throws ExcInput where a fibre field has no direction. Collective.
+     */
+    void
+    reinit();
+
+    /**
+     * Set the active stretch of all muscles at time @p t. Throws ExcInput
+     * where a stretch is not a positive number. Collective.
+     */
+    void
+    update_muscles(const double t);
+
+    /** Set the liquid's rest shape from u_ref. */
+    void
+    update_liquid(const Vector &rest_displacement);
+
+    /** Set all from a state. Throws ExcInput. Collective. */
+    void
+    update(const State &state);
+
+    /** The maps at the quadrature points of an owned cell. */
+    const ReferencePoint *
+    cell(const unsigned int owned_index) const;
+
+    /**
+     * Fibre directions and active stretches at the quadrature points of an
+     * owned cell: [q][muscle of the tissue], in the order of
+     * Anatomy::muscles_of(). Empty where there are no muscles.
+     */
+    const std::vector<std::vector<ActiveFibre>> &
+    fibres(const unsigned int owned_index) const;
+
+  private:
+    const MixedSpace &space;
+    const ShapeCache &shapes;
+    const Anatomy    &anatomy;
+    const ResetMode   mode;
+
+    std::vector<ReferencePoint>                        points;
+    std::vector<std::vector<std::vector<ActiveFibre>>> active_fibres;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_fibres_fibre_field_h
+#define lumbricus_fibres_fibre_field_h
+
+#include <lumbricus/core/dimension.h>
+#include <lumbricus/core/parameter_owner.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+namespace lumbricus
+{
+  /** Unit vectors along the fibres of a muscle, in the reference configuration.
+   */
+  class FibreField : public ParameterOwner
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler & /*prm*/) override
+    {}
+
+    /**
+     * The unit vector f(X). Throws ExcInput where the field has no direction
+     * at @p X (on the axis of a circumferential one), naming the point.
+     */
+    virtual dealii::Tensor<1, dim>
+    direction(const dealii::Point<dim> &X) const = 0;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_geometry_geometry_h
+#define lumbricus_geometry_geometry_h
+
+#include <lumbricus/core/dimension.h>
+#include <lumbricus/core/parameter_owner.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/types.h>
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * Where a cell belongs: its segment and its tissue, both counted from zero.
+   * Set on all coarse cells and inherited by their children, as material id.
+   */
+  struct Region
+  {
+    unsigned int segment;
+    unsigned int tissue;
+
+    static constexpr unsigned int max_n_tissues = 256;
+
+    dealii::types::material_id
+    material_id() const
+    {
+      return segment * max_n_tissues + tissue;
+    }
+
+    static Region
+    of(const dealii::types::material_id id)
+    {
+      return {id / max_n_tissues, id % max_n_tissues};
+    }
+  };
+
+
+
+  /** A kind of material the geometry has cells of. */
+  struct TissueName
+  {
+    std::string name;
+    /** A liquid is reset; everything else is the wall, which keeps its stress.
+     */
+    bool liquid;
+    /** Whether it is a layer of the wall around the chamber, on whose sections
+     * the length of a segment is measured; septa and caps are not. */
+    bool wall_layer = false;
+  };
+
+
+
+  /** A plane of mirror symmetry: the displacement along @p direction is zero.
+   */
+  struct SymmetryPlane
+  {
+    dealii::types::boundary_id boundary;
+    unsigned int               direction;
+  };
+
+
+
+  /**
+   * The cross-sections x = const (reference configuration) between which a
+   * segment is measured; mesh faces lie in all of them, at every refinement.
+   */
+  struct SegmentSections
+  {
+    double begin;
+    double middle;
+    double end;
+  };
+
+
+
+  /**
+   * A body: its mesh in the reference configuration, made of hexahedra, and
+   * the names of its parts. The axis of the body is the x axis.
+   */
+  class Geometry : public ParameterOwner
+  {
+  public:
+    /**
+     * Make the coarse mesh: cells with the material id of their Region,
+     * boundary ids that index boundary_names(), manifolds that keep curved
+     * surfaces curved under refinement. The same on every rank.
+     */
+    virtual void
+    create_coarse_mesh(dealii::Triangulation<dim> &triangulation) const = 0;
+
+    virtual unsigned int
+    n_segments() const = 0;
+
+    /** The index of a tissue here is Region::tissue. */
+    virtual std::vector<TissueName>
+    tissues() const = 0;
+
+    /** The names loads refer to; the index of a name is the boundary id. */
+    virtual std::vector<std::string>
+    boundary_names() const = 0;
+
+    /** Empty for a full cross-section. Their ids follow those of the names. */
+    virtual std::vector<SymmetryPlane>
+    symmetry_planes() const = 0;
+
+    /**
+     * How many times the mesh fits into the whole body: 1 for a full, 2 for
+     * a half, 4 for a quarter cross-section.
+     */
+    unsigned int
+    symmetry_factor() const
+    {
+      return 1u << symmetry_planes().size();
+    }
+
+    /** One entry per segment. */
+    virtual std::vector<SegmentSections>
+    sections() const = 0;
+
+    /**
+     * Three mesh vertices A, B, C for the statically determinate support:
+     * B is apart from A along x, C is apart from A along z.
+     */
+    virtual std::array<dealii::Point<dim>, 3>
+    support_points() const = 0;
+
+    /** A length typical of the body (radius, edge), for relative tolerances. */
+    virtual double
+    characteristic_length() const = 0;
+  };
+} // namespace lumbricus
+
+#endif

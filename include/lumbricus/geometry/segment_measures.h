@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_geometry_segment_measures_h
+#define lumbricus_geometry_segment_measures_h
+
+#include <lumbricus/core/parameter_owner.h>
+
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * The measures of one segment of a chain. Declared once for the whole
+   * chain, and once for every range of segments that has its own.
+   */
+  struct SegmentMeasures : public ParameterOwner
+  {
+    /** Declare with the present values as defaults, which stay exact. */
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    double              radius            = 2.;
+    double              length            = 2.;
+    double              septum_thickness  = 0.1;
+    std::vector<double> layer_thicknesses = {0.15, 0.15};
+  };
+} // namespace lumbricus
+
+#endif

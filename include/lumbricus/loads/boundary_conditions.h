@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_loads_boundary_conditions_h
+#define lumbricus_loads_boundary_conditions_h
+
+#include <lumbricus/core/named_sections.h>
+#include <lumbricus/core/registry.h>
+#include <lumbricus/geometry/geometry.h>
+#include <lumbricus/loads/boundary_condition.h>
+
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /** One section of Boundary conditions: what acts where. */
+  class NamedCondition : public ParameterOwner
+  {
+  public:
+    explicit NamedCondition(const std::string &name);
+
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    bool
+    extend_parameters(dealii::ParameterHandler &prm,
+                      const Extent              extent) override;
+
+    void
+    check_parameters() const override;
+
+    std::string                name;
+    std::string                boundary_name;
+    Choice<BoundaryCondition>  type;
+    dealii::types::boundary_id boundary = dealii::numbers::invalid_boundary_id;
+  };
+
+
+
+  /** All loads and supports of a run. */
+  class BoundaryConditions : public ParameterOwner
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    bool
+    extend_parameters(dealii::ParameterHandler &prm,
+                      const Extent              extent) override;
+
+    void
+    check_parameters() const override;
+
+    /**
+     * Find the boundaries, read the expressions, and try them at 101 times up
+     * to @p end_time. Throws ExcInput for a boundary that does not exist, for
+     * two conditions that prescribe the same displacement, and for NaN.
+     */
+    void
+    initialize(const Geometry &geometry, const double end_time);
+
+    /** The conditions that act on boundary @p id. */
+    std::vector<const BoundaryCondition *>
+    on_boundary(const dealii::types::boundary_id id) const;
+
+    /** Whether rigid motions that are left are to be held at three points. */
+    bool
+    minimal_support() const;
+
+    /** Whether the tangent matrix is symmetric. */
+    bool
+    symmetric() const;
+
+  private:
+    bool                          hold_rigid_motions = true;
+    std::vector<std::string>      names;
+    NamedSections<NamedCondition> conditions;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_materials_material_law_h
+#define lumbricus_materials_material_law_h
+
+#include <lumbricus/core/dimension.h>
+#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/reference_map/reference_point.h>
+
+#include <deal.II/base/tensor.h>
+
+namespace lumbricus
+{
+  /**
+   * The response of a material at a point, derived from an energy
+   * psi(F, p) per volume of the mesh's configuration that is stationary in p:
+   *
+   *   P = d psi / dF           first Piola-Kirchhoff stress, P_iJ,
+   *   c = d psi / dp           what is zero in equilibrium: J - J_v (1 +
+   * p/kappa), A = d2 psi / dF dF       A[3 i + J][3 k + L], symmetric, Q = d2
+   * psi / dF dp       dP/dp = dc/dF, dc_dp = d2 psi / dp dp   -J_v / kappa.
+   */
+  struct MaterialResponse
+  {
+    dealii::Tensor<2, dim> P;
+    dealii::Tensor<2, dim> Q;
+    double                 c;
+    double                 dc_dp;
+    double                 A[dim * dim][dim * dim];
+  };
+
+
+
+  /** A constitutive law of the displacement-pressure form. Tensors only. */
+  class MaterialLaw : public ParameterOwner
+  {
+  public:
+    /** psi(F, p), for tests and energy balances [N/mm^2]. */
+    virtual double
+    energy(const dealii::Tensor<2, dim> &F,
+           const double                  p,
+           const ReferencePoint         &reference) const = 0;
+
+    /**
+     * P, Q, c and dc_dp, and A where @p with_tangent, at the deformation
+     * gradient @p F with det F > 0 and the pressure variable @p p (positive
+     * in tension).
+     */
+    virtual void
+    evaluate(const dealii::Tensor<2, dim> &F,
+             const double                  p,
+             const ReferencePoint         &reference,
+             const bool                    with_tangent,
+             MaterialResponse             &response) const = 0;
+
+    /** The shear modulus mu at zero strain [N/mm^2]. */
+    virtual double
+    shear_modulus() const = 0;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_output_cell_fields_h
+#define lumbricus_output_cell_fields_h
+
+#include <lumbricus/anatomy/anatomy.h>
+#include <lumbricus/discretization/reference_field.h>
+#include <lumbricus/discretization/shape_cache.h>
+
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/numerics/data_component_interpretation.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * What is known at the quadrature points only, for pictures: on each cell
+   * the trilinear function nearest to the values there. Discontinuous between
+   * cells, as stresses are between tissues.
+   */
+  class CellFields
+  {
+  public:
+    CellFields(const MixedSpace     &space,
+               const ShapeCache     &shapes,
+               const Anatomy        &anatomy,
+               const ReferenceField &references);
+
+    /** After every change of the mesh. */
+    void
+    reinit();
+
+    /** Compute all fields at @p solution. */
+    void
+    update(const Vector &solution);
+
+    /** One per component: pressure, Cauchy stress (9), J, hydrostatic
+     * divergence, and of every muscle the deformed fibre (3) and the active
+     * stretch. */
+    const std::vector<std::string> &
+    names() const;
+
+    const std::vector<
+      dealii::DataComponentInterpretation::DataComponentInterpretation> &
+    interpretations() const;
+
+    const dealii::DoFHandler<dim> &
+    dof_handler() const;
+
+    /** Ghosted. */
+    const Vector &
+    values() const;
+
+  private:
+    /** Add @p n components of the same name. */
+    void
+    add(const std::string &name,
+        const dealii::DataComponentInterpretation::DataComponentInterpretation
+                           kind,
+        const unsigned int n);
+
+    const MixedSpace     &space;
+    const ShapeCache     &shapes;
+    const Anatomy        &anatomy;
+    const ReferenceField &references;
+
+    std::vector<std::string> component_names;
+    std::vector<
+      dealii::DataComponentInterpretation::DataComponentInterpretation>
+      component_interpretations;
+
+    std::unique_ptr<dealii::FESystem<dim>> fe;
+    dealii::DoFHandler<dim>                fields_dof_handler;
+    dealii::FullMatrix<double>             projection;
+    Vector                                 field_values;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_output_csv_table_h
+#define lumbricus_output_csv_table_h
+
+#include <lumbricus/output/run_folder.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * A table on disk in the comma-separated form of RFC 4180, grown by whole
+   * rows. Only rank 0 holds and writes it.
+   */
+  class CsvTable
+  {
+  public:
+    /** Start the file @p name with a line of column names. Collective. */
+    CsvTable(const RunFolder                &folder,
+             const std::string              &name,
+             const std::vector<std::string> &columns,
+             const MPI_Comm                  comm);
+
+    /** Add an entry to the row being made; numbers with 15 digits. */
+    template <typename T>
+    CsvTable &
+    operator<<(const T &entry);
+
+    /** End the row. */
+    void
+    end_row();
+
+    /**
+     * Bring the rows made since the last call to disk, all at once. Throws
+     * ExcSolveFailed on all ranks where that is not possible. Collective.
+     */
+    void
+    flush();
+
+  private:
+    const std::string  file_name;
+    const std::size_t  n_columns;
+    const MPI_Comm     comm;
+    const bool         writes;
+    std::size_t        n_entries = 0;
+    std::ostringstream pending;
+  };
+
+
+
+  template <typename T>
+  CsvTable &
+  CsvTable::operator<<(const T &entry)
+  {
+    pending << (n_entries == 0 ? "" : ",") << entry;
+    ++n_entries;
+    return *this;
+  }
+} // namespace lumbricus
+
+#endif

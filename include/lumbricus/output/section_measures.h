@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_output_section_measures_h
+#define lumbricus_output_section_measures_h
+
+#include <lumbricus/anatomy/anatomy.h>
+#include <lumbricus/discretization/mixed_space.h>
+
+#include <vector>
+
+namespace lumbricus
+{
+  /** The shape of a segment in two numbers [mm]. */
+  struct SectionMeasures
+  {
+    /** Distance of the mean positions of the wall's two end sections. */
+    double length;
+    /**
+     * Radius of the circle with the area of the deformed section in the middle
+     * of the segment, of the liquid where there is some, else of all. NaN
+     * where no mesh faces lie in that section.
+     */
+    double mid_radius;
+  };
+
+  /** The measures of every segment at @p solution. Collective. */
+  std::vector<SectionMeasures>
+  section_measures(const MixedSpace &space,
+                   const Anatomy    &anatomy,
+                   const Vector     &solution);
+} // namespace lumbricus
+
+#endif

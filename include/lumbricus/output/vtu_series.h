@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_output_vtu_series_h
+#define lumbricus_output_vtu_series_h
+
+#include <lumbricus/core/state.h>
+#include <lumbricus/output/cell_fields.h>
+#include <lumbricus/output/run_folder.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * The pictures of a run, for ParaView: for every time a VTU file per rank
+   * and a PVTU that joins them, and solution.pvd over all times. The geometry
+   * is the reference configuration; warp by the displacement.
+   */
+  class VtuSeries
+  {
+  public:
+    VtuSeries(const RunFolder  &folder,
+              const MixedSpace &space,
+              const Anatomy    &anatomy);
+
+    /** Write @p state with the fields of @p cell_fields. Collective. */
+    void
+    write(const State &state, CellFields &cell_fields);
+
+  private:
+    const RunFolder  &folder;
+    const MixedSpace &space;
+    const Anatomy    &anatomy;
+
+    std::vector<std::pair<double, std::string>> times_and_names;
+  };
+} // namespace lumbricus
+
+#endif

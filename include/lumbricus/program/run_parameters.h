@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_program_run_parameters_h
+#define lumbricus_program_run_parameters_h
+
+#include <lumbricus/anatomy/anatomy.h>
+#include <lumbricus/core/load_stepping.h>
+#include <lumbricus/loads/boundary_conditions.h>
+#include <lumbricus/solvers/linear_solver.h>
+#include <lumbricus/solvers/reset_iteration.h>
+
+#include <string>
+
+namespace lumbricus
+{
+  /** All parameters of a run, and the objects they make. */
+  class RunParameters : public ParameterOwner
+  {
+  public:
+    RunParameters();
+
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    bool
+    extend_parameters(dealii::ParameterHandler &prm,
+                      const Extent              extent) override;
+
+    void
+    check_parameters() const override;
+
+    /**
+     * Read all expressions and find all boundaries: after this nothing in the
+     * input can be wrong that does not depend on the mesh. Throws ExcInput.
+     */
+    void
+    initialize();
+
+    std::string          title;
+    Anatomy              anatomy;
+    unsigned int         n_global_refinements = 0;
+    BoundaryConditions   boundary_conditions;
+    LoadStepping         load_stepping;
+    ResetIteration       reset_iteration;
+    Newton               newton;
+    Choice<LinearSolver> linear_solver;
+    std::string          output_folder = "results";
+    unsigned int         output_every  = 1;
+  };
+} // namespace lumbricus
+
+#endif

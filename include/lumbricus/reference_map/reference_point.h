@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_reference_map_reference_point_h
+#define lumbricus_reference_map_reference_point_h
+
+#include <lumbricus/core/dimension.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+namespace lumbricus
+{
+  /**
+   * The reference map at a point: F = F_e G with det G = 1 takes a material
+   * point from the mesh's configuration to its own stress-free shape, and J_v
+   * is its stress-free volume per volume of the mesh's configuration.
+   * A passive solid has G = I and J_v = 1.
+   */
+  struct ReferencePoint
+  {
+    dealii::Tensor<2, dim> G_inverse =
+      dealii::unit_symmetric_tensor<dim, double>();
+    double J_v = 1.;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_solvers_equilibrium_h
+#define lumbricus_solvers_equilibrium_h
+
+#include <lumbricus/discretization/assembler.h>
+#include <lumbricus/solvers/linear_solver.h>
+#include <lumbricus/solvers/newton.h>
+
+#include <deal.II/base/timer.h>
+
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * Equilibrium of the body at a time, with the reference map as it is: the
+   * assembler and the linear solver as Newton's method sees them.
+   */
+  class Equilibrium : public NonlinearProblem
+  {
+  public:
+    Equilibrium(const MixedSpace    &space,
+                const ShapeCache    &shapes,
+                const Anatomy       &anatomy,
+                Assembler           &assembler,
+                Supports            &supports,
+                LinearSolver        &linear_solver,
+                dealii::TimerOutput &timer);
+
+    /** After every change of the mesh. */
+    void
+    reinit();
+
+    /** Set the time, and what @p solution lacks of the displacements
+     * prescribed then. */
+    void
+    set_time(const double t, const Vector &solution);
+
+    Residual
+    residual(const Vector &x) override;
+
+    void
+    linearise(const Vector &x) override;
+
+    void
+    solve(Vector &dx) override;
+
+    double
+    increment_size(const Vector &dx) const override;
+
+    bool
+    increments_prescribed() const override;
+
+    void
+    increments_taken() override;
+
+    std::string
+    locate_trouble(const Vector &x) override;
+
+  private:
+    const MixedSpace    &space;
+    const ShapeCache    &shapes;
+    const Anatomy       &anatomy;
+    Assembler           &assembler;
+    Supports            &supports;
+    LinearSolver        &linear_solver;
+    dealii::TimerOutput &timer;
+
+    double            time              = 0.;
+    bool              prescribed_is_due = false;
+    double            body_volume       = 0.;
+    double            length            = 1.;
+    double            least_force       = 0.;
+    std::vector<bool> is_pressure;
+    Vector            r;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_solvers_newton_h
+#define lumbricus_solvers_newton_h
+
+#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/core/state.h>
+
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /** All that Newton's method knows of a problem. */
+  class NonlinearProblem
+  {
+  public:
+    /** A residual, in parts that are each small in equilibrium. */
+    struct Residual
+    {
+      /** Out-of-balance force relative to the level of the forces. */
+      double force = 0.;
+      /** Violated volume constraint relative to the volume of the body. */
+      double volume = 0.;
+      /** False where the residual does not exist (an inverted element). */
+      bool valid = true;
+
+      double
+      merit() const
+      {
+        return force + volume;
+      }
+    };
+
+    virtual ~NonlinearProblem() = default;
+
+    virtual Residual
+    residual(const Vector &x) = 0;
+
+    /** Compute the tangent and the right-hand side at x. */
+    virtual void
+    linearise(const Vector &x) = 0;
+
+    /** Compute the increment dx at which the linearised residual vanishes. */
+    virtual void
+    solve(Vector &dx) = 0;
+
+    /** The size of an increment relative to the size of the body. */
+    virtual double
+    increment_size(const Vector &dx) const = 0;
+
+    /** Whether dx carries prescribed displacements that x still lacks: then
+     * it has to be taken whole. */
+    virtual bool
+    increments_prescribed() const = 0;
+
+    /** dx with what is prescribed has been added to x. */
+    virtual void
+    increments_taken() = 0;
+
+    /** Where the trouble is at x, in words: "segment 3, ...". */
+    virtual std::string
+    locate_trouble(const Vector &x) = 0;
+  };
+
+
+
+  /** One iteration, for logs and for tests of the order of convergence. */
+  struct NewtonIteration
+  {
+    NonlinearProblem::Residual residual;
+    double                     increment;
+    double                     step_length;
+  };
+
+
+
+  /**
+   * Newton's method with a backtracking line search. A step is taken whole
+   * unless an element inverts or the residual grows beyond what a saddle
+   * point may show on its way.
+   */
+  class Newton : public ParameterOwner
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    /**
+     * Solve, starting at @p x, which is changed only by success.
+     * Throws ExcNotConverged with where and how.
+     */
+    std::vector<NewtonIteration>
+    solve(NonlinearProblem &problem, Vector &x) const;
+
+  private:
+    double       force_tolerance     = 1e-9;
+    double       volume_tolerance    = 1e-11;
+    double       increment_tolerance = 1e-8;
+    unsigned int most_iterations     = 20;
+    unsigned int most_halvings       = 6;
+    double       growth_allowed      = 10.;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,44 @@
+# Sourced by the other scripts: install what is missing, and what mpirun and
+# the BLAS need to know. Debian 12 or 13, or Ubuntu.
+set -euo pipefail
+
+repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cores=$(nproc)
+
+# Install the packages named that are not installed yet.
+install_missing()
+{
+  local missing=() package
+  for package in "$@"; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null \
+      | grep -q 'install ok installed' || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  echo "Installing: ${missing[*]}"
+  local as_root=()
+  [ "$(id -u)" -eq 0 ] || as_root=(sudo)
+  "${as_root[@]}" apt-get update -q
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -q --no-install-recommends "${missing[@]}"
+}
+
+# Build type $1 in build-$1.
+build()
+{
+  local folder="$repository/build-$1"
+  cmake -S "$repository" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE="$1" "${@:2}"
+  cmake --build "$folder"
+}
+
+build_packages=(g++ cmake ninja-build libdeal.ii-dev libmumps-dev
+  libopenblas0-serial openmpi-bin)
+picture_packages=(python3-vtk9 python3-numpy python3-matplotlib)
+test_packages=(libgtest-dev numdiff python3-pytest python3-numpy)
+
+# Open MPI refuses to start for root, as in containers, without these; and more
+# ranks than cores without the last.
+if [ "$(id -u)" -eq 0 ]; then
+  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+fi
+export OMPI_MCA_rmaps_base_oversubscribe=1
+export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1

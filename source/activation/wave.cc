@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/activation/activation.h>
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/patterns.h>
+#include <lumbricus/core/registry.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumbricus
+{
+  /**
+   * A wave of contraction that travels along the chain, as in peristalsis:
+   * in segment s = 1, ..., n at time t
+   *
+   *   lambda = 1 - A r(t) h(t/T -+ (s-1)/Lambda + phi)
+   *
+   * with the amplitude A < 1, the period T, the wavelength Lambda in segments
+   * (minus: towards the tail, plus: towards the head) and the phase phi. The
+   * pulse h has period 1 and lasts for the part d of it (the duty),
+   *
+   *   h(p) = (1 - cos(2 pi p/d))/2  for 0 <= p < d,   0 for d <= p < 1,
+   *
+   * and r(t) = 3q^2 - 2q^3 with q = t/T_ramp, held at 0 before and at 1 after,
+   * is the ramp-in. Both have continuous derivatives.
+   */
+  class WaveActivation : public Activation
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    void
+    check_parameters() const override;
+
+    double
+    value(const double              t,
+          const unsigned int        segment,
+          const dealii::Point<dim> &X) const override;
+
+  private:
+    double
+    pulse(const double phase) const;
+
+    double
+    ramp(const double t) const;
+
+    double      amplitude  = 0.2;
+    double      wavelength = 4.;
+    double      period     = 1.;
+    std::string towards    = "towards tail";
+    double      duty       = 0.5;
+    double      phase      = 0.;
+    double      ramp_in    = 1.;
+  };
+
+
+
+  void
+  WaveActivation::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    using dealii::Patterns::Double;
+
+    prm.add_parameter("Amplitude",
+                      amplitude,
+                      "[1] By how much the pulse shortens the fibres: the "
+                      "active stretch at its peak is 1 - Amplitude. Less than "
+                      "1; negative values lengthen the fibres.",
+                      Double());
+    prm.add_parameter("Wavelength",
+                      wavelength,
+                      "[segments] Number of segments from one pulse to the "
+                      "next; need not be whole.",
+                      PositiveNumber());
+    prm.add_parameter("Period",
+                      period,
+                      "[time] Time from one pulse of a segment to the next.",
+                      PositiveNumber());
+    prm.add_parameter("Direction",
+                      towards,
+                      "[towards tail or towards head] Where the pulses travel.",
+                      dealii::Patterns::Selection("towards tail|towards head"));
+    prm.add_parameter("Duty",
+                      duty,
+                      "[1] Part of the period during which the muscle of a "
+                      "segment is active: more than 0, at most 1.",
+                      PositiveNumber());
+    prm.add_parameter("Phase",
+                      phase,
+                      "[periods] By how much the wave is ahead: at time 0, the "
+                      "pulse of segment 1 has been running for this long. Two "
+                      "muscles half a period apart take turns.",
+                      Double());
+    prm.add_parameter("Ramp-in",
+                      ramp_in,
+                      "[time] Over this time from 0 on the wave grows smoothly "
+                      "to its full amplitude. With 0 it is there at once.",
+                      Double(0.));
+  }
+
+
+
+  void
+  WaveActivation::check_parameters() const
+  {
+    AssertThrow(amplitude < 1.,
+                ExcInput("Parameter 'wave/Amplitude' is " +
+                         std::to_string(amplitude) +
+                         ", but has to be less than 1: the active stretch 1 - "
+                         "Amplitude is greater than zero."));
+    AssertThrow(duty <= 1.,
+                ExcInput("Parameter 'wave/Duty' is " + std::to_string(duty) +
+                         ", but is a part of the period: give at most 1."));
+  }
+
+
+
+  double
+  WaveActivation::pulse(const double p) const
+  {
+    const double q = (p - std::floor(p)) / duty;
+    return q < 1. ? (1. - std::cos(2. * dealii::numbers::PI * q)) / 2. : 0.;
+  }
+
+
+
+  double
+  WaveActivation::ramp(const double t) const
+  {
+    if (ramp_in == 0.)
+      return 1.;
+    const double q = std::clamp(t / ramp_in, 0., 1.);
+    return q * q * (3. - 2. * q);
+  }
+
+
+
+  double
+  WaveActivation::value(const double       t,
+                        const unsigned int segment,
+                        const dealii::Point<dim> & /*X*/) const
+  {
+    const double lag = (segment - 1.) / wavelength;
+    const double p =
+      t / period + (towards == "towards tail" ? -lag : lag) + phase;
+    return 1. - amplitude * ramp(t) * pulse(p);
+  }
+
+
+
+  static const Register<Activation, WaveActivation>
+    wave_activation("wave", "a pulse that travels along the chain.");
+} // namespace lumbricus

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/anatomy/muscle.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace lumbricus
+{
+  Muscle::Muscle(const std::string &name)
+    : muscle_name(name)
+    , fibre_choice("Fibres", "", "The direction of the fibres at rest.")
+    , activation_choice("Active stretch",
+                        "",
+                        "How the stress-free length of the fibres, relative "
+                        "to their length at rest, changes with time.")
+  {}
+
+
+
+  void
+  Muscle::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    fibre_choice.declare_parameters(prm);
+    activation_choice.declare_parameters(prm);
+  }
+
+
+
+  bool
+  Muscle::extend_parameters(dealii::ParameterHandler &prm, const Extent extent)
+  {
+    const bool fibres     = fibre_choice.extend_parameters(prm, extent);
+    const bool activation = activation_choice.extend_parameters(prm, extent);
+    return fibres || activation;
+  }
+
+
+
+  void
+  Muscle::check_parameters() const
+  {
+    const std::string section = "Muscles/" + muscle_name;
+    AssertThrow(fibre_choice.get() != nullptr,
+                ExcInput("The muscle '" + muscle_name +
+                         "' has no fibres: set '" + section +
+                         "/Fibres' to one of " + Registry<FibreField>::names() +
+                         "."));
+    AssertThrow(activation_choice.get() != nullptr,
+                ExcInput("The muscle '" + muscle_name +
+                         "' has no active stretch: set '" + section +
+                         "/Active stretch' to one of " +
+                         Registry<Activation>::names() + "."));
+    fibre_choice.check_parameters();
+    activation_choice.check_parameters();
+  }
+
+
+
+  void
+  Muscle::initialize(const unsigned int n_segments)
+  {
+    activation_choice.get()->initialize(muscle_name, n_segments);
+  }
+
+
+
+  const std::string &
+  Muscle::name() const
+  {
+    return muscle_name;
+  }
+
+
+
+  const FibreField &
+  Muscle::fibres() const
+  {
+    return *fibre_choice;
+  }
+
+
+
+  double
+  Muscle::active_stretch(const double              t,
+                         const unsigned int        segment,
+                         const dealii::Point<dim> &X) const
+  {
+    const double lambda = activation_choice->value(t, segment, X);
+    if (!(lambda > 0. && std::isfinite(lambda)))
+      {
+        std::ostringstream message;
+        message << "The active stretch of muscle '" << muscle_name
+                << "' in segment " << segment << " at time " << t << ", x = ("
+                << X << "), is " << lambda
+                << "; it has to be a number > 0 (1 is rest, 0.8 a contraction "
+                   "by 20%). Change 'Muscles/"
+                << muscle_name << "/" << activation_choice.chosen_name()
+                << "'.";
+        AssertThrow(false, ExcInput(message.str()));
+      }
+    return lambda;
+  }
+} // namespace lumbricus

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/anatomy/tissue.h>
+
+namespace lumbricus
+{
+  Tissue::Tissue(const std::string &name)
+    : tissue_name(name)
+    , law_choice("Law", "Neo-Hooke", "The constitutive law.")
+  {}
+
+
+
+  void
+  Tissue::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    law_choice.declare_parameters(prm);
+    prm.add_parameter("Muscles",
+                      muscle_names,
+                      "The muscles whose fibres run in this tissue, each a "
+                      "section in Muscles; empty for a passive tissue.");
+  }
+
+
+
+  bool
+  Tissue::extend_parameters(dealii::ParameterHandler &prm, const Extent extent)
+  {
+    return law_choice.extend_parameters(prm, extent);
+  }
+
+
+
+  const std::string &
+  Tissue::name() const
+  {
+    return tissue_name;
+  }
+
+
+
+  const MaterialLaw &
+  Tissue::law() const
+  {
+    return *law_choice;
+  }
+
+
+
+  const std::vector<std::string> &
+  Tissue::muscles() const
+  {
+    return muscle_names;
+  }
+} // namespace lumbricus

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/expression.h>
+
+#include <deal.II/base/numbers.h>
+
+namespace lumbricus
+{
+  namespace
+  {
+    // The variables and constants there are, for messages: "t, x, y, z, n, pi".
+    std::string
+    known_symbols(const std::map<std::string, double> &constants)
+    {
+      std::string all = "t, x, y, z";
+      for (const auto &constant : constants)
+        all += ", " + constant.first;
+      return all;
+    }
+  } // namespace
+
+
+
+  Expression::Expression(const std::string                   &name,
+                         const std::string                   &formula,
+                         const std::map<std::string, double> &user_constants)
+    : name(name)
+    , text(formula)
+    , parser(std::make_shared<dealii::FunctionParser<dim>>(1))
+  {
+    std::map<std::string, double> constants = user_constants;
+    constants["pi"]                         = dealii::numbers::PI;
+
+    std::string reason;
+    if (formula.find_first_not_of(" \t") == std::string::npos)
+      reason = "it is empty";
+    else
+      try
+        {
+          parser->initialize("x,y,z,t", formula, constants, true);
+          // muParser compiles at the first evaluation.
+          parser->set_time(0.);
+          parser->value(dealii::Point<dim>());
+        }
+      catch (const dealii::ExceptionBase &exception)
+        {
+          reason = plain_message(exception);
+        }
+    AssertThrow(reason.empty(),
+                ExcInput(
+                  "Parameter '" + name + "': the expression '" + formula +
+                  "' cannot be read: " + reason + "\nIt may use " +
+                  known_symbols(constants) +
+                  " and the functions of muParser (sin, exp, if, min, ...)."));
+  }
+
+
+
+  double
+  Expression::value(const dealii::Point<dim> &x, const double t) const
+  {
+    parser->set_time(t);
+    return parser->value(x);
+  }
+} // namespace lumbricus

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/load_stepping.h>
+#include <lumbricus/core/patterns.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace lumbricus
+{
+  namespace
+  {
+    // Times that differ by less than this part of a step are the same.
+    constexpr double same = 1e-6;
+  } // namespace
+
+
+
+  void
+  LoadStepping::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Time");
+    prm.add_parameter("End",
+                      end,
+                      "[time] Where the run ends; it starts at 0. Time only "
+                      "orders the loads: the problem is quasi-static.",
+                      PositiveNumber());
+    prm.add_parameter("First step",
+                      first,
+                      "[time] The first load step.",
+                      PositiveNumber());
+    prm.add_parameter("Largest step",
+                      largest,
+                      "[time] No load step is longer.",
+                      PositiveNumber());
+    prm.add_parameter("Smallest step",
+                      smallest,
+                      "[time] A step that does not converge is halved; the run "
+                      "ends when it would be shorter than this.",
+                      PositiveNumber());
+    prm.add_parameter("Result interval",
+                      interval,
+                      "[time] Steps end exactly at the multiples of this; 0 "
+                      "for none.",
+                      dealii::Patterns::Double(0.));
+    prm.add_parameter("Growth",
+                      growth,
+                      "[-] Factor by which a step grows after an easy one.",
+                      dealii::Patterns::Double(1.));
+    prm.add_parameter("Easy iterations",
+                      easy,
+                      "[-] A step is easy when its first Newton solve takes no "
+                      "more iterations than this.",
+                      dealii::Patterns::Integer(1));
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  LoadStepping::check_parameters() const
+  {
+    AssertThrow(smallest <= first && first <= largest,
+                ExcInput("Parameters 'Time/Smallest step', 'Time/First step' "
+                         "and 'Time/Largest step' have to be in this order of "
+                         "size; they are " +
+                         std::to_string(smallest) + ", " +
+                         std::to_string(first) + " and " +
+                         std::to_string(largest) + "."));
+  }
+
+
+
+  double
+  LoadStepping::end_time() const
+  {
+    return end;
+  }
+
+
+
+  bool
+  LoadStepping::finished(const double time) const
+  {
+    return time >= end * (1. - 1e-12);
+  }
+
+
+
+  double
+  LoadStepping::step() const
+  {
+    return size > 0. ? size : first;
+  }
+
+
+
+  double
+  LoadStepping::next_time(const double time) const
+  {
+    // The first of the marks (multiples of the interval, the end) ahead.
+    double mark = end;
+    if (interval > 0.)
+      mark =
+        std::min(end, interval * (std::floor(time / interval + same) + 1.));
+
+    // Do not leave a tiny step before the mark.
+    return time + step() * (1. + same) >= mark ? mark : time + step();
+  }
+
+
+
+  void
+  LoadStepping::accept(const unsigned int n_newton_iterations)
+  {
+    size =
+      n_newton_iterations <= easy ? std::min(largest, growth * step()) : step();
+  }
+
+
+
+  void
+  LoadStepping::cut(const double time, const std::string &why)
+  {
+    size = 0.5 * std::min(step(), next_time(time) - time);
+    if (size < smallest)
+      {
+        std::ostringstream message;
+        message << "No solution beyond time " << time
+                << " with steps of 'Time/Smallest step' = " << smallest << ". "
+                << why
+                << ".\nTry a smaller 'Time/Smallest step', a smaller active "
+                   "stretch or load, a stiffer septum or a finer mesh there; "
+                   "a wall that buckles has no solution nearby.";
+        AssertThrow(false, ExcSolveFailed(message.str()));
+      }
+  }
+} // namespace lumbricus

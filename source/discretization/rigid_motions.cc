@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/rigid_motions.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace lumbricus
+{
+  RigidMotions::RigidMotions(const dealii::Point<dim> &X0, const double L)
+    : X0(X0)
+    , L(L)
+  {}
+
+
+
+  bool
+  RigidMotions::hold(const dealii::Point<dim>     &X,
+                     const dealii::Tensor<1, dim> &d)
+  {
+    const auto moment = dealii::cross_product_3d(X - X0, d) / L;
+    return add({{d[0], d[1], d[2], moment[0], moment[1], moment[2]}});
+  }
+
+
+
+  bool
+  RigidMotions::add(Row row)
+  {
+    // Gram-Schmidt, twice for accuracy.
+    for (unsigned int pass = 0; pass < 2; ++pass)
+      for (const Row &b : basis)
+        {
+          const double s =
+            std::inner_product(row.begin(), row.end(), b.begin(), 0.);
+          for (unsigned int i = 0; i < row.size(); ++i)
+            row[i] -= s * b[i];
+        }
+    const double norm =
+      std::sqrt(std::inner_product(row.begin(), row.end(), row.begin(), 0.));
+    if (norm < 1e-6)
+      return false;
+    for (double &entry : row)
+      entry /= norm;
+    basis.push_back(row);
+    return true;
+  }
+
+
+
+  void
+  RigidMotions::merge(const MPI_Comm comm)
+  {
+    const auto all = dealii::Utilities::MPI::all_gather(comm, basis);
+    basis.clear();
+    for (const auto &rank_basis : all)
+      for (const Row &row : rank_basis)
+        add(row);
+  }
+
+
+
+  bool
+  RigidMotions::all_held() const
+  {
+    return basis.size() == 2 * dim;
+  }
+
+
+
+  std::string
+  RigidMotions::free_motions() const
+  {
+    std::string free;
+    for (unsigned int i = 0; i < 2 * dim; ++i)
+      {
+        // The part of the unit motion that lies in the span of what is held.
+        double held = 0.;
+        for (const Row &b : basis)
+          held += b[i] * b[i];
+        if (held < 1. - 1e-6)
+          free += std::string(free.empty() ? "" : ", ") +
+                  (i < dim ? "translation along " : "rotation about ") +
+                  "xyz"[i % dim];
+      }
+    return free;
+  }
+} // namespace lumbricus

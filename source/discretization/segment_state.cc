@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/element_kernel.h>
+#include <lumbricus/discretization/segment_state.h>
+
+#include <deal.II/grid/filtered_iterator.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumbricus
+{
+  double
+  SegmentState::mean_pressure() const
+  {
+    return liquid_volume > 0. ? pressure / liquid_volume : 0.;
+  }
+
+
+
+  double
+  SegmentState::divergence(const double pressure_floor) const
+  {
+    return liquid_volume > 0. ?
+             abs_deviator /
+               std::max(abs_pressure, pressure_floor * liquid_volume) :
+             0.;
+  }
+
+
+
+  std::vector<SegmentState>
+  segment_states(const MixedSpace     &space,
+                 const ShapeCache     &shapes,
+                 const Anatomy        &anatomy,
+                 const ReferenceField &references,
+                 const Vector         &solution)
+  {
+    Vector relevant(space.locally_owned,
+                    space.locally_relevant,
+                    space.communicator());
+    relevant = solution;
+
+    std::vector<SegmentState> states(anatomy.geometry().n_segments());
+    ElementKernel             kernel;
+    MaterialResponse          response;
+    std::vector<dealii::types::global_dof_index> indices(
+      space.fe.n_dofs_per_cell());
+    unsigned int cell_index = 0;
+    for (const auto &cell : space.dof_handler.active_cell_iterators() |
+                              dealii::IteratorFilters::LocallyOwnedCell())
+      {
+        const unsigned int i      = cell_index++;
+        const Region       region = Region::of(cell->material_id());
+        const bool         liquid = anatomy.is_liquid(region.tissue);
+        SegmentState      &state  = states[region.segment];
+
+        kernel.read(space, cell, relevant, indices);
+        kernel.compute_deformation(shapes.cell(i));
+        for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
+          {
+            const double J  = determinant(kernel.F[q]);
+            const double dV = shapes.cell(i).JxW[q];
+            if (!liquid)
+              {
+                state.wall_volume += J * dV;
+                continue;
+              }
+            anatomy.tissue(region.tissue)
+              .law()
+              .evaluate(kernel.F[q],
+                        kernel.pressure(shapes.pressure_modes(), q),
+                        references.cell(i)[q],
+                        false,
+                        response);
+            const auto sigma = dealii::symmetrize(
+              response.P * dealii::transpose(kernel.F[q]) / J);
+            const double p        = -trace(sigma) / dim;
+            const double deviator = dealii::deviator(sigma).norm();
+            state.liquid_volume += J * dV;
+            state.pressure += p * J * dV;
+            state.abs_pressure += std::abs(p) * J * dV;
+            state.abs_deviator += deviator * J * dV;
+            state.largest_deviator = std::max(state.largest_deviator, deviator);
+          }
+      }
+
+    // One reduction for all sums, one for all maxima.
+    std::vector<double> sums, maxima;
+    for (const SegmentState &state : states)
+      {
+        sums.insert(sums.end(),
+                    {state.liquid_volume,
+                     state.wall_volume,
+                     state.pressure,
+                     state.abs_pressure,
+                     state.abs_deviator});
+        maxima.push_back(state.largest_deviator);
+      }
+    const MPI_Comm comm = space.communicator();
+    dealii::Utilities::MPI::sum(sums, comm, sums);
+    dealii::Utilities::MPI::max(maxima, comm, maxima);
+
+    const double whole = anatomy.geometry().symmetry_factor();
+    for (unsigned int s = 0; s < states.size(); ++s)
+      {
+        const double *sum          = &sums[5 * s];
+        states[s].liquid_volume    = whole * sum[0];
+        states[s].wall_volume      = whole * sum[1];
+        states[s].pressure         = whole * sum[2];
+        states[s].abs_pressure     = whole * sum[3];
+        states[s].abs_deviator     = whole * sum[4];
+        states[s].largest_deviator = maxima[s];
+      }
+    return states;
+  }
+} // namespace lumbricus

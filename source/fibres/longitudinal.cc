@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/registry.h>
+#include <lumbricus/fibres/cylindrical_frame.h>
+#include <lumbricus/fibres/fibre_field.h>
+
+namespace lumbricus
+{
+  /** f = e_x. */
+  class LongitudinalFibres : public FibreField
+  {
+  public:
+    dealii::Tensor<1, dim>
+    direction(const dealii::Point<dim> & /*X*/) const override
+    {
+      return axial_direction();
+    }
+  };
+
+
+
+  static const Register<FibreField, LongitudinalFibres>
+    longitudinal_fibres("longitudinal", "along the axis of the body (x).");
+} // namespace lumbricus

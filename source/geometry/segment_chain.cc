@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/patterns.h>
+#include <lumbricus/core/registry.h>
+#include <lumbricus/geometry/extrusion.h>
+#include <lumbricus/geometry/round_section.h>
+#include <lumbricus/geometry/segment_measures.h>
+#include <lumbricus/geometry/segment_ranges.h>
+
+#include <algorithm>
+#include <map>
+
+namespace lumbricus
+{
+  namespace
+  {
+    const std::string path        = "Geometry/segment chain";
+    const std::string ranges_name = "Segments with their own measures";
+
+    // The boundary ids; those of the symmetry planes follow.
+    enum Boundary : unsigned int
+    {
+      head,
+      tail,
+      skin,
+      n_boundaries
+    };
+
+    // What fills the disk inside the wall.
+    enum class Filling
+    {
+      liquid,
+      septum,
+      cap
+    };
+
+    struct Slab
+    {
+      unsigned int segment;
+      Filling      filling;
+    };
+
+
+
+    // The chain along its axis, built from head to tail.
+    class Layout
+    {
+    public:
+      explicit Layout(const std::vector<double> &radii_at_head)
+        : stations({{0., radii_at_head}})
+      {}
+
+      double
+      end() const
+      {
+        return stations.back().x;
+      }
+
+      // Add @p n slabs, at whose end the rings have the radii @p radii.
+      void
+      append(const double               length,
+             const unsigned int         n,
+             const std::vector<double> &radii,
+             const Slab                &slab)
+      {
+        const AxialStation begin = stations.back();
+        for (unsigned int i = 1; i <= n; ++i)
+          {
+            const double f = double(i) / n;
+            stations.push_back(
+              {begin.x + f * length, mean(begin.radii, radii, f)});
+            slabs.push_back(slab);
+          }
+      }
+
+      // (1-f) a + f b
+      static std::vector<double>
+      mean(const std::vector<double> &a,
+           const std::vector<double> &b,
+           const double               f)
+      {
+        std::vector<double> result(a.size());
+        for (unsigned int i = 0; i < a.size(); ++i)
+          result[i] = a[i] == b[i] ? a[i] : (1 - f) * a[i] + f * b[i];
+        return result;
+      }
+
+      std::vector<AxialStation>    stations;
+      std::vector<Slab>            slabs;
+      std::vector<SegmentSections> sections;
+    };
+  } // namespace
+
+
+
+  /**
+   * A chain of liquid-filled segments along the x axis, from the head at x = 0
+   * to the tail:
+   *
+   *        __________________________________________________
+   *   |   |______________________wall________________________|   |
+   *   |cap|  liquid 1  |septum|  liquid 2  |septum| ...      |cap|
+   *   |   |      .. x axis ..
+   *
+   * The wall goes on around the septa; the caps close its ends over the whole
+   * section. A septum consists of two halves, each a part of the segment it
+   * closes. The sections a segment is measured between are the middles of its
+   * septa, and the inner faces of the caps.
+   */
+  class SegmentChain : public Geometry
+  {
+  public:
+    SegmentChain();
+
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    bool
+    extend_parameters(dealii::ParameterHandler &prm,
+                      const Extent              extent) override;
+
+    void
+    check_parameters() const override;
+
+    void
+    create_coarse_mesh(
+      dealii::Triangulation<dim> &triangulation) const override;
+
+    unsigned int
+    n_segments() const override
+    {
+      return n;
+    }
+
+    std::vector<TissueName>
+    tissues() const override;
+
+    std::vector<std::string>
+    boundary_names() const override
+    {
+      return {"head", "tail", "skin"};
+    }
+
+    std::vector<SymmetryPlane>
+    symmetry_planes() const override
+    {
+      return section.symmetry_planes(n_boundaries);
+    }
+
+    std::vector<SegmentSections>
+    sections() const override
+    {
+      return layout().sections;
+    }
+
+    std::array<dealii::Point<dim>, 3>
+    support_points() const override;
+
+    double
+    characteristic_length() const override;
+
+  private:
+    std::vector<SegmentRange>
+    ranges() const
+    {
+      return parse_segment_ranges(path + "/" + ranges_name, range_list);
+    }
+
+    /** The measures of every segment. */
+    std::vector<SegmentMeasures>
+    measures() const;
+
+    Layout
+    layout() const;
+
+    RoundSection    section;
+    SegmentMeasures common;
+    std::string     range_list;
+
+    /** By name of the section. The addresses of its values stay as they are. */
+    std::map<std::string, SegmentMeasures> own_measures;
+
+    unsigned int n             = 3;
+    double       cap_thickness = 0.3;
+    unsigned int n_along       = 2;
+    unsigned int n_half_septum = 1;
+    unsigned int n_cap         = 1;
+  };
+
+
+
+  SegmentChain::SegmentChain()
+    : section(path, {"liquid", "septum", "cap"})
+  {}
+
+
+
+  void
+  SegmentChain::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.add_parameter("Number of segments",
+                      n,
+                      "[number] Segments of the chain. They are counted from "
+                      "1 at the head (x = 0) towards the tail.",
+                      dealii::Patterns::Integer(1, 10000));
+    common.declare_parameters(prm);
+    prm.add_parameter("Cap thickness",
+                      cap_thickness,
+                      "[mm] Thickness of the caps that close the chain at its "
+                      "head and at its tail.",
+                      PositiveNumber());
+    prm.add_parameter(
+      ranges_name,
+      range_list,
+      "[numbers] Segments that differ from the others: a list of "
+      "numbers and ranges like '1, 8-10'. Each item has a section "
+      "('Segment 1', 'Segments 8-10') with the measures of these segments; "
+      "what is not set there is as for the whole chain.");
+    section.declare_parameters(prm);
+    prm.add_parameter("Cells along a segment",
+                      n_along,
+                      "[number, even] Cells along the liquid chamber of a "
+                      "segment.",
+                      dealii::Patterns::Integer(2));
+    prm.add_parameter("Cells through half a septum",
+                      n_half_septum,
+                      "[number] Cells through each of the two halves of a "
+                      "septum.",
+                      dealii::Patterns::Integer(1));
+    prm.add_parameter("Cells through a cap",
+                      n_cap,
+                      "[number] Cells through the thickness of a cap.",
+                      dealii::Patterns::Integer(1));
+  }
+
+
+
+  bool
+  SegmentChain::extend_parameters(dealii::ParameterHandler &prm,
+                                  const Extent              extent)
+  {
+    const auto all = extent == Extent::everything ?
+                       std::vector<SegmentRange>{{8, 10}} :
+                       ranges();
+
+    bool extended = false;
+    for (const SegmentRange &range : all)
+      {
+        const auto entry = own_measures.emplace(range.name(), common);
+        if (entry.second)
+          {
+            prm.enter_subsection(range.name());
+            entry.first->second.declare_parameters(prm);
+            prm.leave_subsection();
+            extended = true;
+          }
+      }
+    return extended;
+  }
+
+
+
+  void
+  SegmentChain::check_parameters() const
+  {
+    section.check_parameters();
+    RoundSection::check_even(path,
+                             "Cells along a segment",
+                             n_along,
+                             "faces of the mesh have to lie in the middle of "
+                             "the segment, where it is measured");
+    section.check_thicknesses(path, common.layer_thicknesses);
+    range_of_segments(path + "/" + ranges_name, ranges(), n);
+    for (const SegmentRange &range : ranges())
+      section.check_thicknesses(
+        path + "/" + range.name(),
+        own_measures.at(range.name()).layer_thicknesses);
+  }
+
+
+
+  std::vector<SegmentMeasures>
+  SegmentChain::measures() const
+  {
+    const auto all      = ranges();
+    const auto range_of = range_of_segments(path + "/" + ranges_name, all, n);
+
+    std::vector<SegmentMeasures> result(n, common);
+    for (unsigned int s = 0; s < n; ++s)
+      if (range_of[s] < all.size())
+        result[s] = own_measures.at(all[range_of[s]].name());
+    return result;
+  }
+
+
+
+  Layout
+  SegmentChain::layout() const
+  {
+    const auto segments = measures();
+    const auto radii    = [&](const unsigned int s) {
+      return RoundSection::ring_radii(segments[s].radius,
+                                      segments[s].layer_thicknesses);
+    };
+
+    Layout layout(radii(0));
+    layout.append(cap_thickness, n_cap, radii(0), {0, Filling::cap});
+    double begin = layout.end();
+    for (unsigned int s = 0; s < n; ++s)
+      {
+        layout.append(segments[s].length,
+                      n_along,
+                      radii(s),
+                      {s, Filling::liquid});
+        const double middle = (layout.stations.rbegin() + n_along / 2)->x;
+        if (s + 1 < n)
+          {
+            const double half = segments[s].septum_thickness / 2;
+            layout.append(half,
+                          n_half_septum,
+                          Layout::mean(radii(s), radii(s + 1), 0.5),
+                          {s, Filling::septum});
+            layout.sections.push_back({begin, middle, layout.end()});
+            begin = layout.end();
+            layout.append(half,
+                          n_half_septum,
+                          radii(s + 1),
+                          {s + 1, Filling::septum});
+          }
+        else
+          {
+            layout.sections.push_back({begin, middle, layout.end()});
+            layout.append(cap_thickness, n_cap, radii(s), {s, Filling::cap});
+          }
+      }
+    return layout;
+  }
+
+
+
+  void
+  SegmentChain::create_coarse_mesh(
+    dealii::Triangulation<dim> &triangulation) const
+  {
+    const Layout       plan     = layout();
+    const unsigned int n_layers = section.n_layers();
+
+    // In the order of tissues().
+    const auto region = [&](const unsigned int slab, const unsigned int ring) {
+      const Slab        &where  = plan.slabs[slab];
+      const unsigned int septum = n_layers + 1;
+      const unsigned int cap    = n > 1 ? septum + 1 : septum;
+      const unsigned int tissue = where.filling == Filling::cap    ? cap :
+                                  ring > 0                         ? ring :
+                                  where.filling == Filling::septum ? septum :
+                                                                     0;
+      return Region{where.segment, tissue};
+    };
+
+    const auto boundary =
+      [](const BodySurface surface,
+         const unsigned int /*ring*/) -> dealii::types::boundary_id {
+      switch (surface)
+        {
+          case BodySurface::head:
+            return head;
+          case BodySurface::tail:
+            return tail;
+          case BodySurface::outer:
+            return skin;
+          default:
+            return RoundSection::symmetry_boundary(surface, n_boundaries);
+        }
+    };
+
+    extrude(section.cross_section(true),
+            plan.stations,
+            region,
+            boundary,
+            triangulation);
+  }
+
+
+
+  std::vector<TissueName>
+  SegmentChain::tissues() const
+  {
+    std::vector<TissueName> all = {{"liquid", true}};
+    section.append_layers(all);
+    if (n > 1)
+      all.push_back({"septum", false});
+    all.push_back({"cap", false});
+    return all;
+  }
+
+
+
+  std::array<dealii::Point<dim>, 3>
+  SegmentChain::support_points() const
+  {
+    const Layout plan = layout();
+    return {{dealii::Point<dim>(0., 0., 0.),
+             dealii::Point<dim>(plan.end(), 0., 0.),
+             dealii::Point<dim>(0., 0., plan.stations[0].radii.back())}};
+  }
+
+
+
+  double
+  SegmentChain::characteristic_length() const
+  {
+    double largest = 0.;
+    for (const SegmentMeasures &segment : measures())
+      largest = std::max(largest, segment.radius);
+    return largest;
+  }
+
+
+
+  static const Register<Geometry, SegmentChain>
+    segment_chain("segment chain",
+                  "a row of liquid-filled segments with a wall of layers, "
+                  "separated by septa and closed by a cap at either end.");
+} // namespace lumbricus

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/registry.h>
+#include <lumbricus/core/vector_expression.h>
+#include <lumbricus/loads/boundary_condition.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+
+namespace lumbricus
+{
+  /** u_i = g_i(t, X) on the surface for the components listed. */
+  class PrescribedDisplacement : public BoundaryCondition
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override
+    {
+      prm.add_parameter(
+        "Components",
+        component_names,
+        "The components that are prescribed; the others are "
+        "free.",
+        dealii::Patterns::List(dealii::Patterns::Selection("x|y|z"), 1, dim));
+      prm.add_parameter("Displacement",
+                        formulas,
+                        "[mm] Three expressions in t, x, y, z, separated by "
+                        "semicolons; those of free components are not used.");
+    }
+
+    void
+    initialize(const std::string &name) override
+    {
+      displacement = vector_expression(name + "/Displacement", formulas);
+    }
+
+    std::vector<Expression>
+    expressions() const override
+    {
+      return displacement;
+    }
+
+    std::array<bool, dim>
+    prescribed_components() const override
+    {
+      std::array<bool, dim> components;
+      for (unsigned int i = 0; i < dim; ++i)
+        components[i] = std::count(component_names.begin(),
+                                   component_names.end(),
+                                   std::string(1, "xyz"[i])) > 0;
+      return components;
+    }
+
+    double
+    prescribed_displacement(const unsigned int        component,
+                            const dealii::Point<dim> &X,
+                            const double              t) const override
+    {
+      return displacement[component].value(X, t);
+    }
+
+  private:
+    std::vector<std::string> component_names = {"x", "y", "z"};
+    std::string              formulas        = "0; 0; 0";
+    std::vector<Expression>  displacement;
+  };
+
+  static const Register<BoundaryCondition, PrescribedDisplacement>
+    prescribed_displacement("displacement",
+                            "displacements prescribed as functions of time.");
+} // namespace lumbricus

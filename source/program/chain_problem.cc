@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/program/chain_problem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace lumbricus
+{
+  ChainProblem::ChainProblem(RunParameters &parameters,
+                             Log           &log,
+                             const MPI_Comm comm)
+    : parameters(parameters)
+    , log(log)
+    , comm(comm)
+    , timer(comm,
+            std::cout,
+            dealii::TimerOutput::never,
+            dealii::TimerOutput::wall_times)
+    , triangulation(comm)
+    , space(triangulation)
+    , shapes(space)
+    , references(space,
+                 shapes,
+                 parameters.anatomy,
+                 parameters.reset_iteration.mode())
+    , supports(space,
+               parameters.anatomy.geometry(),
+               parameters.boundary_conditions)
+    , assembler(space,
+                shapes,
+                parameters.anatomy,
+                parameters.boundary_conditions,
+                references,
+                supports)
+    , equilibrium(space,
+                  shapes,
+                  parameters.anatomy,
+                  assembler,
+                  supports,
+                  *parameters.linear_solver.get(),
+                  timer)
+  {}
+
+
+
+  void
+  ChainProblem::setup()
+  {
+    dealii::TimerOutput::Scope scope(timer, "setup");
+    parameters.anatomy.geometry().create_coarse_mesh(triangulation);
+    triangulation.refine_global(parameters.n_global_refinements);
+    space.distribute_dofs();
+    shapes.reinit();
+    references.reinit();
+    supports.reinit();
+    equilibrium.reinit();
+  }
+
+
+
+  void
+  ChainProblem::describe()
+  {
+    const auto &geometry = parameters.anatomy.geometry();
+    log << (parameters.title.empty() ? "" : parameters.title + "\n")
+        << geometry.n_segments() << " segment"
+        << (geometry.n_segments() == 1 ? "" : "s") << ", "
+        << triangulation.n_global_active_cells() << " cells, "
+        << space.dof_handler.n_dofs() << " unknowns, "
+        << dealii::Utilities::MPI::n_mpi_processes(comm) << " rank"
+        << (dealii::Utilities::MPI::n_mpi_processes(comm) == 1 ? "" : "s")
+        << "\n";
+  }
+
+
+
+  void
+  ChainProblem::run(const RunFolder &folder)
+  {
+    Results results(folder,
+                    space,
+                    shapes,
+                    parameters.anatomy,
+                    references,
+                    parameters.output_every);
+    State   state = space.initial_state();
+    references.update(state);
+    results.write(state,
+                  StepRecord(parameters.anatomy.geometry().n_segments()));
+
+    log << "\n  step        time   done   Newton  resets  divergence   seconds"
+           "        left\n";
+    StepRecord step;
+    try
+      {
+        while (!parameters.load_stepping.finished(state.time))
+          {
+            step = advance(state, step.number + 1);
+            log_step(step);
+            results.write(state, step);
+          }
+      }
+    catch (const dealii::ExceptionBase &exception)
+      {
+        // The last good state is what the run leaves.
+        references.update(state);
+        results.write_last(state);
+        log_where_time_went();
+        std::ostringstream message;
+        message << plain_message(exception) << "\nThe last good state, at time "
+                << state.time << ", is in '" << folder.path() << "'.";
+        AssertThrow(false, ExcSolveFailed(message.str()));
+      }
+    results.write_last(state);
+    log_where_time_went();
+  }
+
+
+
+  StepRecord
+  ChainProblem::advance(State &state, const unsigned int number)
+  {
+    LoadStepping       &stepping = parameters.load_stepping;
+    const dealii::Timer step_timer;
+    const auto          before = parameters.linear_solver->statistics();
+
+    StepRecord step(parameters.anatomy.geometry().n_segments());
+    step.number = number;
+    for (;; ++step.n_cuts)
+      try
+        {
+          State next = state;
+          next.time  = stepping.next_time(state.time);
+          references.update(next);
+          equilibrium.set_time(next.time, next.solution);
+          const auto report =
+            parameters.reset_iteration.solve(next,
+                                             equilibrium,
+                                             parameters.newton,
+                                             references,
+                                             space,
+                                             shapes,
+                                             parameters.anatomy);
+
+          step.time = next.time;
+          step.size = next.time - state.time;
+          step.take(report);
+          state = next;
+          stepping.accept(report.newton.front().size());
+          break;
+        }
+      catch (const ExcNotConverged &exception)
+        {
+          stepping.cut(state.time, plain_message(exception));
+          log << "        cut to " << stepping.step() << ": "
+              << plain_message(exception) << "\n";
+        }
+
+    const auto after         = parameters.linear_solver->statistics();
+    step.n_linear_iterations = after.n_iterations - before.n_iterations;
+    step.n_factorisations    = after.n_factorisations - before.n_factorisations;
+    step.seconds             = step_timer.wall_time();
+    step.elapsed_seconds     = run_timer.wall_time();
+    return step;
+  }
+
+
+
+  void
+  ChainProblem::log_step(const StepRecord &step)
+  {
+    const double done = step.time / parameters.load_stepping.end_time();
+    const double left = step.elapsed_seconds * (1. - done) / done;
+
+    std::ostringstream line;
+    line << std::setw(6) << step.number << std::setw(12) << std::setprecision(6)
+         << step.time << std::setw(6) << std::fixed << std::setprecision(0)
+         << 100. * done << "%" << std::setw(9) << step.n_newton_iterations
+         << std::setw(8)
+         << *std::max_element(step.n_resets.begin(), step.n_resets.end())
+         << std::setw(12) << std::scientific << std::setprecision(1)
+         << *std::max_element(step.divergence.begin(), step.divergence.end())
+         << std::setw(10) << std::fixed << std::setprecision(1) << step.seconds
+         << std::setw(10) << std::setprecision(0) << left << " s\n";
+    log << line.str();
+  }
+
+
+
+  void
+  ChainProblem::log_where_time_went()
+  {
+    const double       total = run_timer.wall_time();
+    std::ostringstream table;
+    table << "\nWhere the time went" << std::setw(20) << "seconds"
+          << std::setw(8) << "share" << std::setw(9) << "calls\n";
+    const auto seconds =
+      timer.get_summary_data(dealii::TimerOutput::total_wall_time);
+    const auto calls = timer.get_summary_data(dealii::TimerOutput::n_calls);
+    const auto row   = [&](const std::string &name, const double s) {
+      table << "  " << std::left << std::setw(25) << name << std::right
+            << std::fixed << std::setw(12) << std::setprecision(2) << s
+            << std::setw(7) << std::setprecision(0) << 100. * s / total << "%";
+    };
+    for (const auto &[name, s] : seconds)
+      {
+        row(name, s);
+        table << std::setw(8) << calls.at(name) << "\n";
+      }
+    row("total", total);
+
+    dealii::Utilities::System::MemoryStats memory;
+    dealii::Utilities::System::get_memory_stats(memory);
+    const double most = dealii::Utilities::MPI::max(memory.VmHWM / 1024., comm);
+    table << "\nPeak memory of the largest rank: " << std::setprecision(0)
+          << most << " MB; "
+          << parameters.linear_solver->statistics().n_factorisations
+          << " factorisations, "
+          << parameters.linear_solver->statistics().n_iterations
+          << " linear iterations.\n";
+    log << table.str();
+  }
+} // namespace lumbricus

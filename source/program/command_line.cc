@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/program/command_line.h>
+
+#include <deal.II/base/config.h>
+
+#include <getopt.h>
+
+#include <ostream>
+
+namespace lumbricus
+{
+  CommandLine::CommandLine(const int argc, char *const argv[])
+  {
+    static const option options[] = {
+      {"help", no_argument, nullptr, 'h'},
+      {"version", no_argument, nullptr, 'v'},
+      {"parameters", no_argument, nullptr, 'p'},
+      {"check", no_argument, nullptr, 'c'},
+      {"set", required_argument, nullptr, 's'},
+      {"output", required_argument, nullptr, 'o'},
+      {nullptr, 0, nullptr, 0}};
+    const std::string advice = "\nTry 'lumbricus --help'.";
+
+    opterr = 0;
+    optind = 1;
+    int letter;
+    while ((letter = getopt_long(argc, argv, ":hvo:", options, nullptr)) != -1)
+      switch (letter)
+        {
+          case 'h':
+            help = true;
+            break;
+          case 'v':
+            version = true;
+            break;
+          case 'p':
+            parameters = true;
+            break;
+          case 'c':
+            check = true;
+            break;
+          case 's':
+            settings.emplace_back(optarg);
+            break;
+          case 'o':
+            output_folder = optarg;
+            break;
+          case ':':
+            AssertThrow(false,
+                        ExcInput(std::string("The option '") +
+                                 argv[optind - 1] + "' needs a value." +
+                                 advice));
+            break;
+          default:
+            AssertThrow(false,
+                        ExcInput(std::string("The option '") +
+                                 argv[optind - 1] + "' is unknown." + advice));
+        }
+
+    const int n_files = argc - optind;
+    if (help || version || parameters)
+      return;
+    AssertThrow(n_files == 1,
+                ExcInput((n_files == 0 ?
+                            std::string("No parameter file was given.") :
+                            "More than one parameter file was given: '" +
+                              std::string(argv[optind]) + "', '" +
+                              argv[optind + 1] + "'.") +
+                         advice));
+    parameter_file = argv[optind];
+  }
+
+
+
+  void
+  print_help(std::ostream &out)
+  {
+    out
+      << "Usage: lumbricus [options] FILE.prm\n"
+         "       mpirun -np N lumbricus [options] FILE.prm\n"
+         "\n"
+         "Compute a chain of liquid-filled, muscle-driven segments.\n"
+         "\n"
+         "  --check                    read and validate everything, make the "
+         "mesh, say\n"
+         "                             how many cells and unknowns there are, "
+         "and stop\n"
+         "  --set \"Section/Name=value\" override a parameter; may be given "
+         "several times\n"
+         "  -o, --output DIR           write the results to DIR\n"
+         "  --parameters               print all parameters with documentation\n"
+         "  -v, --version              print the version\n"
+         "  -h, --help                 print this\n"
+         "\n"
+         "Exit codes: 0 done; 1 the input is wrong, nothing was computed; 2 the "
+         "run could\n"
+         "not go on, the last good state is in the output folder.\n";
+  }
+
+
+
+  void
+  print_version(std::ostream &out)
+  {
+    out << "lumbricus " LUMBRICUS_VERSION " (deal.II " DEAL_II_PACKAGE_VERSION
+           ", "
+#ifdef DEBUG
+           "Debug"
+#else
+           "Release"
+#endif
+           ")\n";
+  }
+} // namespace lumbricus

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/program/run_parameters.h>
+
+namespace lumbricus
+{
+  RunParameters::RunParameters()
+    : linear_solver("Method", "kept factor", "How linear systems are solved.")
+  {}
+
+
+
+  void
+  RunParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.add_parameter("Title", title, "One line for the log.");
+
+    anatomy.declare_parameters(prm);
+
+    prm.enter_subsection("Mesh");
+    prm.add_parameter("Global refinements",
+                      n_global_refinements,
+                      "[-] How often every cell of the coarse mesh is cut into "
+                      "eight.",
+                      dealii::Patterns::Integer(0, 8));
+    prm.leave_subsection();
+
+    boundary_conditions.declare_parameters(prm);
+    load_stepping.declare_parameters(prm);
+    reset_iteration.declare_parameters(prm);
+    newton.declare_parameters(prm);
+
+    prm.enter_subsection("Linear solver");
+    linear_solver.declare_parameters(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Output");
+    prm.add_parameter("Folder",
+                      output_folder,
+                      "Where the results go; made where it does not exist. "
+                      "--output overrides it.",
+                      dealii::Patterns::DirectoryName());
+    prm.add_parameter("Every",
+                      output_every,
+                      "[-] Write VTU files after every so many load steps, and "
+                      "at the end; 0 for the end only. Tables have every step.",
+                      dealii::Patterns::Integer(0));
+    prm.leave_subsection();
+  }
+
+
+
+  bool
+  RunParameters::extend_parameters(dealii::ParameterHandler &prm,
+                                   const Extent              extent)
+  {
+    bool extended = anatomy.extend_parameters(prm, extent);
+    extended |= boundary_conditions.extend_parameters(prm, extent);
+    prm.enter_subsection("Linear solver");
+    extended |= linear_solver.extend_parameters(prm, extent);
+    prm.leave_subsection();
+    return extended;
+  }
+
+
+
+  void
+  RunParameters::check_parameters() const
+  {
+    anatomy.check_parameters();
+    boundary_conditions.check_parameters();
+    load_stepping.check_parameters();
+    linear_solver.check_parameters();
+  }
+
+
+
+  void
+  RunParameters::initialize()
+  {
+    anatomy.initialize(load_stepping.end_time());
+    boundary_conditions.initialize(anatomy.geometry(),
+                                   load_stepping.end_time());
+  }
+} // namespace lumbricus

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/reference_map/active_stretch.h>
+
+#include <cmath>
+
+namespace lumbricus
+{
+  using dealii::SymmetricTensor;
+
+  namespace
+  {
+    SymmetricTensor<2, dim>
+    dyad(const dealii::Tensor<1, dim> &f)
+    {
+      return dealii::symmetrize(dealii::outer_product(f, f));
+    }
+  } // namespace
+
+
+
+  ReferencePoint
+  active_stretch_map(const std::vector<ActiveFibre> &fibres)
+  {
+    const auto     I = dealii::unit_symmetric_tensor<dim, double>();
+    ReferencePoint reference;
+    if (fibres.size() == 1)
+      {
+        // G^(-1) = 1/lambda f x f + sqrt(lambda) (I - f x f)
+        const double lambda = fibres[0].lambda;
+        const auto   ff     = dyad(fibres[0].f);
+        reference.G_inverse = 1. / lambda * ff + std::sqrt(lambda) * (I - ff);
+      }
+    else if (fibres.size() > 1)
+      {
+        SymmetricTensor<2, dim> logarithm;
+        for (const ActiveFibre &fibre : fibres)
+          logarithm -= std::log(fibre.lambda) * (1.5 * dyad(fibre.f) - 0.5 * I);
+
+        SymmetricTensor<2, dim> exponential;
+        for (const auto &eigen : dealii::eigenvectors(
+               logarithm, dealii::SymmetricTensorEigenvectorMethod::jacobi))
+          exponential += std::exp(eigen.first) * dyad(eigen.second);
+        reference.G_inverse = exponential;
+      }
+    return reference;
+  }
+} // namespace lumbricus

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/solvers/equilibrium.h>
+
+#include <deal.II/grid/filtered_iterator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace lumbricus
+{
+  Equilibrium::Equilibrium(const MixedSpace    &space,
+                           const ShapeCache    &shapes,
+                           const Anatomy       &anatomy,
+                           Assembler           &assembler,
+                           Supports            &supports,
+                           LinearSolver        &linear_solver,
+                           dealii::TimerOutput &timer)
+    : space(space)
+    , shapes(shapes)
+    , anatomy(anatomy)
+    , assembler(assembler)
+    , supports(supports)
+    , linear_solver(linear_solver)
+    , timer(timer)
+  {}
+
+
+
+  void
+  Equilibrium::reinit()
+  {
+    const MPI_Comm comm = space.communicator();
+    r.reinit(space.locally_owned, comm);
+
+    is_pressure.assign(space.locally_owned.n_elements(), false);
+    std::vector<dealii::types::global_dof_index> indices(
+      space.fe.n_dofs_per_cell());
+    for (const auto &cell : space.dof_handler.active_cell_iterators() |
+                              dealii::IteratorFilters::LocallyOwnedCell())
+      {
+        cell->get_dof_indices(indices);
+        for (const unsigned int m : space.pressure_dof)
+          is_pressure[space.locally_owned.index_within_set(indices[m])] = true;
+      }
+
+    double volume = 0.;
+    for (unsigned int i = 0; i < shapes.n_owned_cells(); ++i)
+      for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
+        volume += shapes.cell(i).JxW[q];
+    body_volume = dealii::Utilities::MPI::sum(volume, comm);
+    length      = anatomy.geometry().characteristic_length();
+
+    // Forces are small, relative to nothing else, where they are those of a
+    // strain of 1e-6 in the stiffest tissue.
+    least_force = 1e-6 * anatomy.wall_stiffness() * length * length;
+
+    assembler.reinit();
+    linear_solver.reinit(assembler.symmetric());
+  }
+
+
+
+  void
+  Equilibrium::set_time(const double t, const Vector &solution)
+  {
+    time              = t;
+    prescribed_is_due = supports.set_increments(solution, t) > 1e-14 * length;
+  }
+
+
+
+  NonlinearProblem::Residual
+  Equilibrium::residual(const Vector &x)
+  {
+    dealii::TimerOutput::Scope scope(timer, "residual");
+    const auto                 report = assembler.residual(x, time, r);
+
+    double force = 0., volume = 0.;
+    for (unsigned int i = 0; i < is_pressure.size(); ++i)
+      {
+        const double entry = r.begin()[i];
+        if (is_pressure[i])
+          volume += std::abs(entry);
+        else
+          force += entry * entry;
+      }
+    const MPI_Comm comm = space.communicator();
+    Residual       residual;
+    residual.force = std::sqrt(dealii::Utilities::MPI::sum(force, comm)) /
+                     std::max(report.force_level, least_force);
+    residual.volume = dealii::Utilities::MPI::sum(volume, comm) / body_volume;
+    residual.valid  = report.valid() && std::isfinite(residual.merit());
+    return residual;
+  }
+
+
+
+  void
+  Equilibrium::linearise(const Vector &x)
+  {
+    dealii::TimerOutput::Scope scope(timer, "assembly");
+    assembler.linearise(x, time);
+  }
+
+
+
+  void
+  Equilibrium::solve(Vector &dx)
+  {
+    constexpr double           tolerance = 1e-6;
+    dealii::TimerOutput::Scope scope(timer, "linear solver");
+    linear_solver.set_matrix(assembler.matrix());
+    linear_solver.solve(dx, assembler.right_hand_side(), tolerance);
+    supports.constraints().distribute(dx);
+  }
+
+
+
+  double
+  Equilibrium::increment_size(const Vector &dx) const
+  {
+    double largest = 0.;
+    for (unsigned int i = 0; i < is_pressure.size(); ++i)
+      if (!is_pressure[i])
+        largest = std::max(largest, std::abs(dx.begin()[i]));
+    return dealii::Utilities::MPI::max(largest, space.communicator()) / length;
+  }
+
+
+
+  bool
+  Equilibrium::increments_prescribed() const
+  {
+    return prescribed_is_due;
+  }
+
+
+
+  void
+  Equilibrium::increments_taken()
+  {
+    if (prescribed_is_due)
+      supports.set_increments_to_zero();
+    prescribed_is_due = false;
+  }
+
+
+
+  std::string
+  Equilibrium::locate_trouble(const Vector &x)
+  {
+    const auto         report = assembler.residual(x, time, r);
+    std::ostringstream where;
+    if (!report.valid())
+      {
+        where << "segment " << report.min_J_segment + 1
+              << " has an inverted element (det F = " << report.min_J << ")";
+        return where.str();
+      }
+
+    // The largest out-of-balance force, and a cell that has it.
+    double       largest = 0.;
+    unsigned int place   = 0;
+    for (unsigned int i = 0; i < is_pressure.size(); ++i)
+      if (!is_pressure[i] && std::abs(r.begin()[i]) > largest)
+        {
+          largest = std::abs(r.begin()[i]);
+          place   = i;
+        }
+    unsigned int segment = 0;
+    if (largest > 0.)
+      {
+        const auto index = space.locally_owned.nth_index_in_set(place);
+        std::vector<dealii::types::global_dof_index> indices(
+          space.fe.n_dofs_per_cell());
+        for (const auto &cell : space.dof_handler.active_cell_iterators())
+          if (!cell->is_artificial())
+            {
+              cell->get_dof_indices(indices);
+              if (std::find(indices.begin(), indices.end(), index) !=
+                  indices.end())
+                {
+                  segment = Region::of(cell->material_id()).segment;
+                  break;
+                }
+            }
+      }
+    const MPI_Comm comm   = space.communicator();
+    const auto     global = dealii::Utilities::MPI::min_max_avg(largest, comm);
+    segment =
+      dealii::Utilities::MPI::broadcast(comm, segment, global.max_index);
+    where << "the largest out-of-balance force, " << global.max
+          << ", is in segment " << segment + 1 << ", the smallest det F, "
+          << report.min_J << ", in segment " << report.min_J_segment + 1;
+    return where.str();
+  }
+} // namespace lumbricus

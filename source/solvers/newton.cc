@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/patterns.h>
+#include <lumbricus/solvers/newton.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+namespace lumbricus
+{
+  void
+  Newton::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Newton");
+    prm.add_parameter("Force tolerance",
+                      force_tolerance,
+                      "[-] Largest out-of-balance force, relative to the "
+                      "internal forces.",
+                      PositiveNumber());
+    prm.add_parameter("Volume tolerance",
+                      volume_tolerance,
+                      "[-] Largest violation of the volume constraint, "
+                      "relative to the volume of the body.",
+                      PositiveNumber());
+    prm.add_parameter("Increment tolerance",
+                      increment_tolerance,
+                      "[-] Largest displacement in the last increment, "
+                      "relative to the size of the body.",
+                      PositiveNumber());
+    prm.add_parameter("Most iterations",
+                      most_iterations,
+                      "[-] With more iterations than these the load step is "
+                      "cut.",
+                      dealii::Patterns::Integer(1));
+    prm.add_parameter("Most halvings",
+                      most_halvings,
+                      "[-] How often the line search halves an increment.",
+                      dealii::Patterns::Integer(0));
+    prm.add_parameter("Growth allowed",
+                      growth_allowed,
+                      "[-] An increment may make the residual this many times "
+                      "larger before it is halved.",
+                      dealii::Patterns::Double(1.));
+    prm.leave_subsection();
+  }
+
+
+
+  std::vector<NewtonIteration>
+  Newton::solve(NonlinearProblem &problem, Vector &x) const
+  {
+    std::vector<NewtonIteration> history;
+
+    Vector     current   = x;
+    const auto converged = [&](const NonlinearProblem::Residual &residual,
+                               const double                      increment) {
+      return residual.force <= force_tolerance &&
+             residual.volume <= volume_tolerance &&
+             increment <= increment_tolerance;
+    };
+    const auto give_up = [&](const std::string &why, const Vector &where) {
+      std::ostringstream message;
+      message << "Newton's method " << why << " after " << history.size()
+              << " iterations";
+      if (!history.empty())
+        message << " (force residual " << history.back().residual.force
+                << ", increment " << history.back().increment << ")";
+      message << "; " << problem.locate_trouble(where);
+      AssertThrow(false, ExcNotConverged(message.str()));
+    };
+
+    auto residual = problem.residual(current);
+    if (!residual.valid)
+      give_up("cannot start", current);
+    if (!problem.increments_prescribed() && converged(residual, 0.))
+      return history;
+
+    Vector dx    = x;
+    Vector trial = x;
+    while (history.size() < most_iterations)
+      {
+        problem.linearise(current);
+        problem.solve(dx);
+
+        // Prescribed displacements are taken whole; what follows the loads
+        // makes up for it in the next iterations.
+        const bool   whole = problem.increments_prescribed();
+        const double largest_merit =
+          whole ? std::numeric_limits<double>::max() :
+                  growth_allowed * std::max(residual.merit(), force_tolerance);
+        double                     step_length = 1.;
+        NonlinearProblem::Residual trial_residual;
+        for (unsigned int halvings = 0;; ++halvings)
+          {
+            trial = current;
+            trial.add(step_length, dx);
+            trial_residual = problem.residual(trial);
+            if (trial_residual.valid && trial_residual.merit() <= largest_merit)
+              break;
+            if (whole || halvings == most_halvings)
+              {
+                history.push_back(
+                  {trial_residual, problem.increment_size(dx), step_length});
+                give_up(trial_residual.valid ? "diverges" :
+                                               "inverts an element",
+                        trial);
+              }
+            step_length *= 0.5;
+          }
+
+        problem.increments_taken();
+        current  = trial;
+        residual = trial_residual;
+        history.push_back({residual, problem.increment_size(dx), step_length});
+        if (step_length == 1. && converged(residual, history.back().increment))
+          {
+            x = current;
+            return history;
+          }
+      }
+    give_up("does not converge", current);
+    return history;
+  }
+} // namespace lumbricus

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/patterns.h>
+#include <lumbricus/solvers/reset_iteration.h>
+
+#include <deal.II/grid/filtered_iterator.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace lumbricus
+{
+  void
+  ResetIteration::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Reset");
+    prm.add_parameter("Mode",
+                      mode_name,
+                      "What a reset of the liquid forgets. 'isochoric': its "
+                      "shape. 'full': its shape and its volume change, as in "
+                      "the paper, so that for nu < 0.5 volume is lost.",
+                      dealii::Patterns::Selection("isochoric|full"));
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "[-] A segment is hydrostatic when int |dev sigma| dv is "
+                      "at most this times int |p| dv over its liquid.",
+                      PositiveNumber());
+    prm.add_parameter("Limit",
+                      limit,
+                      "[-] Most resets in one load step; 0 for none at all, "
+                      "whatever the divergence.",
+                      dealii::Patterns::Integer(0));
+    prm.add_parameter("Pressure floor",
+                      pressure_floor,
+                      "[N/mm^2] Where the mean of |p| is less than this, this "
+                      "takes its place in the divergence.",
+                      PositiveNumber());
+    prm.leave_subsection();
+  }
+
+
+
+  unsigned int
+  ResetIteration::Report::n_newton_iterations() const
+  {
+    unsigned int n = 0;
+    for (const auto &solve : newton)
+      n += solve.size();
+    return n;
+  }
+
+
+
+  ResetMode
+  ResetIteration::mode() const
+  {
+    return mode_name == "full" ? ResetMode::full : ResetMode::isochoric;
+  }
+
+
+
+  ResetIteration::Report
+  ResetIteration::solve(State            &state,
+                        Equilibrium      &equilibrium,
+                        const Newton     &newton,
+                        ReferenceField   &references,
+                        const MixedSpace &space,
+                        const ShapeCache &shapes,
+                        const Anatomy    &anatomy) const
+  {
+    const unsigned int n_segments = anatomy.geometry().n_segments();
+    Report             report;
+    report.n_resets.assign(n_segments, 0);
+    report.divergence.assign(n_segments, 0.);
+
+    for (unsigned int n_resets = 0;; ++n_resets)
+      {
+        report.newton.push_back(newton.solve(equilibrium, state.solution));
+
+        const auto segments =
+          segment_states(space, shapes, anatomy, references, state.solution);
+        std::vector<bool> diverges(n_segments);
+        for (unsigned int s = 0; s < n_segments; ++s)
+          {
+            report.divergence[s] = segments[s].divergence(pressure_floor);
+            diverges[s]          = report.divergence[s] > tolerance;
+          }
+        if (limit == 0 || std::none_of(diverges.begin(),
+                                       diverges.end(),
+                                       [](const bool d) { return d; }))
+          return report;
+
+        if (n_resets == limit)
+          {
+            std::ostringstream message;
+            message << "The liquid is not hydrostatic after " << limit
+                    << " resets:";
+            for (unsigned int s = 0; s < n_segments; ++s)
+              if (diverges[s])
+                message << " segment " << s + 1 << " (divergence "
+                        << report.divergence[s] << ")";
+            message << ". Soften the liquid, or raise 'Reset/Limit' or "
+                       "'Reset/Tolerance'";
+            AssertThrow(false, ExcNotConverged(message.str()));
+          }
+
+        reset(state, diverges, space, anatomy);
+        references.update_liquid(state.rest_displacement);
+        for (unsigned int s = 0; s < n_segments; ++s)
+          report.n_resets[s] += diverges[s];
+      }
+  }
+
+
+
+  void
+  ResetIteration::reset(State                   &state,
+                        const std::vector<bool> &in_segment,
+                        const MixedSpace        &space,
+                        const Anatomy           &anatomy) const
+  {
+    Vector relevant(space.locally_owned,
+                    space.locally_relevant,
+                    space.communicator());
+    relevant = state.solution;
+
+    std::vector<dealii::types::global_dof_index> indices(
+      space.fe.n_dofs_per_cell());
+    std::vector<dealii::types::global_dof_index> rest_indices(
+      space.rest_fe.n_dofs_per_cell());
+    for (const auto &cell : space.dof_handler.active_cell_iterators() |
+                              dealii::IteratorFilters::LocallyOwnedCell())
+      {
+        const Region region = Region::of(cell->material_id());
+        if (!anatomy.is_liquid(region.tissue) || !in_segment[region.segment])
+          continue;
+        const dealii::DoFHandler<dim>::active_cell_iterator rest_cell(
+          &space.triangulation,
+          cell->level(),
+          cell->index(),
+          &space.rest_dof_handler);
+        cell->get_dof_indices(indices);
+        rest_cell->get_dof_indices(rest_indices);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+            state.rest_displacement(rest_indices[space.rest_dof[c][n]]) =
+              relevant(indices[space.displacement_dof[c][n]]);
+      }
+    state.rest_displacement.compress(dealii::VectorOperation::insert);
+  }
+} // namespace lumbricus
