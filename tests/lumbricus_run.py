@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Run the program from a test and read what it leaves.
+
+The program and mpirun come from the environment variables LUMBRICUS and
+MPIRUN, which ctest sets.
+"""
+import csv
+import os
+import pathlib
+import subprocess
+
+SOURCE = pathlib.Path(__file__).resolve().parent.parent
+
+
+class Run:
+    """A finished run: exit code, what it said, and its tables."""
+
+    def __init__(self, process, folder):
+        self.exit_code = process.returncode
+        self.log = process.stdout
+        self.message = process.stderr
+        self.folder = pathlib.Path(folder)
+
+    def table(self, name):
+        """All rows of a .csv file as dictionaries of numbers."""
+        with open(self.folder / name) as file:
+            return [{key: float(value) for key, value in row.items()}
+                    for row in csv.DictReader(file)]
+
+    def segments(self):
+        return self.table("segments.csv")
+
+    def last(self, segment=1):
+        """The last row of a segment."""
+        return [row for row in self.segments() if row["segment"] == segment][-1]
+
+    def steps(self):
+        """The rows of steps.csv but the one of the state at rest."""
+        return self.table("steps.csv")[1:]
+
+
+def run(parameter_file, folder, settings=(), ranks=1, options=()):
+    """Run FILE.prm with "Section/Name=value" settings on some ranks."""
+    command = [os.environ.get("MPIRUN", "mpirun"), "-np", str(ranks),
+               os.environ["LUMBRICUS"], str(parameter_file),
+               "--output", str(folder), *options]
+    for setting in settings:
+        command += ["--set", setting]
+    process = subprocess.run(command, capture_output=True, text=True,
+                             timeout=900)
+    return Run(process, folder)
+
+
+def run_well(*arguments, **keywords):
+    """Run, and fail the test with the program's message if it fails."""
+    result = run(*arguments, **keywords)
+    assert result.exit_code == 0, result.log + result.message
+    return result
