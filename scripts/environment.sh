@@ -3,7 +3,8 @@
 set -euo pipefail
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-cores=$(nproc)
+# nproc heeds OMP_NUM_THREADS, which says nothing of the ranks.
+cores=$(env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc)
 
 # Install the packages named that are not installed yet.
 install_missing()
@@ -32,7 +33,7 @@ build()
 
 build_packages=(g++ cmake ninja-build libdeal.ii-dev libmumps-dev
   libopenblas0-serial openmpi-bin)
-picture_packages=(python3-vtk9 python3-numpy python3-matplotlib)
+picture_packages=(python3-numpy python3-matplotlib)
 test_packages=(libgtest-dev numdiff python3-pytest python3-numpy)
 
 # Open MPI refuses to start for root, as in containers, without these; and more

@@ -40,8 +40,10 @@ class Run:
 
 
 def run(parameter_file, folder, settings=(), ranks=1, options=()):
-    """Run FILE.prm with "Section/Name=value" settings on some ranks."""
-    command = [os.environ.get("MPIRUN", "mpirun"), "-np", str(ranks),
+    """Run FILE.prm with "Section/Name=value" settings on some ranks; on one
+    without mpirun, which takes longer to start than the program."""
+    mpirun = [os.environ.get("MPIRUN", "mpirun"), "-np", str(ranks)]
+    command = [*(mpirun if ranks > 1 else []),
                os.environ["LUMBRICUS"], str(parameter_file),
                "--output", str(folder), *options]
     for setting in settings:

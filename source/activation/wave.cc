@@ -5,6 +5,7 @@
 #include <lumbricus/core/registry.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,13 +107,15 @@ namespace lumbricus
   WaveActivation::check_parameters() const
   {
     AssertThrow(amplitude < 1.,
-                ExcInput("Parameter 'wave/Amplitude' is " +
-                         std::to_string(amplitude) +
-                         ", but has to be less than 1: the active stretch 1 - "
-                         "Amplitude is greater than zero."));
+                ExcParameter("Amplitude",
+                             "is " + dealii::Utilities::to_string(amplitude) +
+                               ", but has to be less than 1: the active "
+                               "stretch 1 - Amplitude is greater than zero."));
     AssertThrow(duty <= 1.,
-                ExcInput("Parameter 'wave/Duty' is " + std::to_string(duty) +
-                         ", but is a part of the period: give at most 1."));
+                ExcParameter("Duty",
+                             "is " + dealii::Utilities::to_string(duty) +
+                               ", but is a part of the period: give at most "
+                               "1."));
   }
 
 

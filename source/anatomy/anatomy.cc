@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/anatomy/anatomy.h>
+#include <lumbricus/core/exceptions.h>
 
 #include <algorithm>
+#include <map>
+#include <sstream>
+#include <utility>
 
 namespace lumbricus
 {
@@ -52,41 +56,102 @@ namespace lumbricus
   void
   Anatomy::check_parameters() const
   {
-    geometry_choice.check_parameters();
-    tissues.check_parameters();
-    muscles.check_parameters();
-    for (const TissueName &tissue : geometry_choice->tissues())
-      AssertThrow(!tissue.liquid ||
-                    tissues.find(tissue.name)->muscles().empty(),
-                  ExcInput("Parameter 'Tissues/" + tissue.name +
-                           "/Muscles': a liquid has no fibres. Leave it empty, "
-                           "and put the muscle into a tissue of the wall."));
+    within_section("Geometry", [&]() { geometry_choice.check_parameters(); });
+    within_section("Tissues", [&]() { tissues.check_parameters(); });
+    within_section("Muscles", [&]() { muscles.check_parameters(); });
+    check_liquids();
   }
 
 
 
   void
-  Anatomy::initialize(const double end_time)
+  Anatomy::check_liquids() const
+  {
+    // The stiffest tissue of the wall.
+    double      wall = 0.;
+    std::string wall_name;
+    for (const TissueName &tissue : geometry_choice->tissues())
+      {
+        const double mu = tissues.find(tissue.name)->law().shear_modulus();
+        if (!tissue.liquid && mu > wall)
+          {
+            wall      = mu;
+            wall_name = tissue.name;
+          }
+      }
+
+    for (const TissueName &name : geometry_choice->tissues())
+      {
+        if (!name.liquid)
+          continue;
+        const Tissue &liquid = *tissues.find(name.name);
+        AssertThrow(liquid.muscles().empty(),
+                    ExcParameter("Tissues/" + name.name + "/Muscles",
+                                 "has to be empty: a liquid has no fibres. Put "
+                                 "the muscle into a tissue of the wall."));
+
+        const double mu = liquid.law().shear_modulus();
+        if (wall > 0. && mu > wall / 10)
+          {
+            std::ostringstream message;
+            message << "Section '" << liquid.law_section()
+                    << "': the shear modulus of the liquid, " << mu
+                    << ", is more than a tenth of that of the stiffest tissue "
+                       "of the wall, "
+                    << wall << " ('" << wall_name
+                    << "'). A liquid is a very soft rubber whose shape is "
+                       "reset. Give it 1% of the wall's stiffness or less, "
+                       "here a shear modulus of at most "
+                    << wall / 100 << ".";
+            AssertThrow(false, ExcInput(message.str()));
+          }
+      }
+  }
+
+
+
+  void
+  Anatomy::initialize()
   {
     tissue_names = geometry_choice->tissues();
     muscles_by_tissue.resize(tissue_names.size());
     for (unsigned int i = 0; i < tissue_names.size(); ++i)
       for (const std::string &name : tissue(i).muscles())
         muscles_by_tissue[i].push_back(muscles.find(name));
-
-    const auto             sections = geometry_choice->sections();
-    constexpr unsigned int n_times  = 100;
     for (unsigned int i = 0; i < muscles.size(); ++i)
+      muscles[i].initialize(geometry_choice->n_segments());
+  }
+
+
+
+  void
+  Anatomy::try_active_stretches(
+    const dealii::parallel::TriangulationBase<dim> &triangulation,
+    const std::vector<double>                      &times) const
+  {
+    // One point for each muscle and segment it is in.
+    std::map<std::pair<const Muscle *, unsigned int>, dealii::Point<dim>>
+      points;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const Region region = Region::of(cell->material_id());
+          for (const Muscle *muscle : muscles_of(region.tissue))
+            points.insert({{muscle, region.segment + 1}, cell->center()});
+        }
+
+    std::string message;
+    try
       {
-        muscles[i].initialize(sections.size());
-        for (unsigned int step = 0; step <= n_times; ++step)
-          for (unsigned int s = 0; s < sections.size(); ++s)
-            muscles[i].active_stretch(end_time * step / n_times,
-                                      s + 1,
-                                      dealii::Point<dim>(sections[s].middle,
-                                                         0.,
-                                                         0.));
+        for (const auto &[where, X] : points)
+          for (const double t : times)
+            where.first->active_stretch(t, where.second, X);
       }
+    catch (const ExcInput &exception)
+      {
+        message = plain_message(exception);
+      }
+    throw_on_all_ranks<ExcInput>(message, triangulation.get_communicator());
   }
 
 

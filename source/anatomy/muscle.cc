@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/anatomy/muscle.h>
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/fibres/cylindrical_frame.h>
 
 #include <cmath>
 #include <sstream>
@@ -39,17 +41,16 @@ namespace lumbricus
   void
   Muscle::check_parameters() const
   {
-    const std::string section = "Muscles/" + muscle_name;
     AssertThrow(fibre_choice.get() != nullptr,
-                ExcInput("The muscle '" + muscle_name +
-                         "' has no fibres: set '" + section +
-                         "/Fibres' to one of " + Registry<FibreField>::names() +
-                         "."));
+                ExcParameter("Fibres",
+                             "is not set: the muscle '" + muscle_name +
+                               "' has no fibres. Set it to one of " +
+                               Registry<FibreField>::names() + "."));
     AssertThrow(activation_choice.get() != nullptr,
-                ExcInput("The muscle '" + muscle_name +
-                         "' has no active stretch: set '" + section +
-                         "/Active stretch' to one of " +
-                         Registry<Activation>::names() + "."));
+                ExcParameter("Active stretch",
+                             "is not set: the muscle '" + muscle_name +
+                               "' has no active stretch. Set it to one of " +
+                               Registry<Activation>::names() + "."));
     fibre_choice.check_parameters();
     activation_choice.check_parameters();
   }
@@ -59,6 +60,7 @@ namespace lumbricus
   void
   Muscle::initialize(const unsigned int n_segments)
   {
+    fibre_choice.get()->initialize(muscle_name);
     activation_choice.get()->initialize(muscle_name, n_segments);
   }
 
@@ -72,10 +74,20 @@ namespace lumbricus
 
 
 
-  const FibreField &
-  Muscle::fibres() const
+  dealii::Tensor<1, dim>
+  Muscle::fibre_direction(const dealii::Point<dim> &X) const
   {
-    return *fibre_choice;
+    try
+      {
+        return fibre_choice->direction(X);
+      }
+    catch (const ExcInput &exception)
+      {
+        AssertThrow(false,
+                    ExcInput("Muscle '" + muscle_name +
+                             "': " + plain_message(exception)));
+      }
+    return {};
   }
 
 
@@ -90,8 +102,8 @@ namespace lumbricus
       {
         std::ostringstream message;
         message << "The active stretch of muscle '" << muscle_name
-                << "' in segment " << segment << " at time " << t << ", x = ("
-                << X << "), is " << lambda
+                << "' in segment " << segment << " at time " << t
+                << ", X = " << point_text(X) << ", is " << lambda
                 << "; it has to be a number > 0 (1 is rest, 0.8 a contraction "
                    "by 20%). Change 'Muscles/"
                 << muscle_name << "/" << activation_choice.chosen_name()

@@ -30,6 +30,14 @@ namespace lumbricus
 
 
 
+  void
+  Tissue::check_parameters() const
+  {
+    law_choice.check_parameters();
+  }
+
+
+
   const std::string &
   Tissue::name() const
   {
@@ -42,6 +50,14 @@ namespace lumbricus
   Tissue::law() const
   {
     return *law_choice;
+  }
+
+
+
+  std::string
+  Tissue::law_section() const
+  {
+    return "Tissues/" + tissue_name + "/" + law_choice.chosen_name();
   }
 
 

@@ -4,6 +4,9 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <iostream>
+#include <streambuf>
+
 namespace lumbricus
 {
   namespace
@@ -16,6 +19,39 @@ namespace lumbricus
       for (const auto &constant : constants)
         all += ", " + constant.first;
       return all;
+    }
+
+
+
+    // deal.II prints what muParser says, and throws then. Once is enough.
+    class Quiet
+    {
+    public:
+      Quiet()
+        : buffer(std::cerr.rdbuf(nullptr))
+      {}
+
+      ~Quiet()
+      {
+        std::cerr.rdbuf(buffer);
+      }
+
+    private:
+      std::streambuf *buffer;
+    };
+
+
+
+    // What muParser says, without what deal.II puts in front.
+    std::string
+    parser_message(const dealii::ExceptionBase &exception)
+    {
+      const std::string text    = plain_message(exception);
+      const std::string opening = "The parser said: ";
+      const auto        begin   = text.find(opening);
+      const std::string what =
+        begin == std::string::npos ? text : text.substr(begin + opening.size());
+      return what.back() == '.' ? what : what + '.';
     }
   } // namespace
 
@@ -33,10 +69,11 @@ namespace lumbricus
 
     std::string reason;
     if (formula.find_first_not_of(" \t") == std::string::npos)
-      reason = "it is empty";
+      reason = "it is empty.";
     else
       try
         {
+          const Quiet quiet;
           parser->initialize("x,y,z,t", formula, constants, true);
           // muParser compiles at the first evaluation.
           parser->set_time(0.);
@@ -44,7 +81,7 @@ namespace lumbricus
         }
       catch (const dealii::ExceptionBase &exception)
         {
-          reason = plain_message(exception);
+          reason = parser_message(exception);
         }
     AssertThrow(reason.empty(),
                 ExcInput(

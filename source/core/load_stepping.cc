@@ -3,6 +3,8 @@
 #include <lumbricus/core/load_stepping.h>
 #include <lumbricus/core/patterns.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -62,12 +64,14 @@ namespace lumbricus
   LoadStepping::check_parameters() const
   {
     AssertThrow(smallest <= first && first <= largest,
-                ExcInput("Parameters 'Time/Smallest step', 'Time/First step' "
-                         "and 'Time/Largest step' have to be in this order of "
-                         "size; they are " +
-                         std::to_string(smallest) + ", " +
-                         std::to_string(first) + " and " +
-                         std::to_string(largest) + "."));
+                ExcInput(
+                  "Parameters 'Time/Smallest step', 'Time/First step' and "
+                  "'Time/Largest step' are " +
+                  dealii::Utilities::to_string(smallest) + ", " +
+                  dealii::Utilities::to_string(first) + " and " +
+                  dealii::Utilities::to_string(largest) +
+                  ". Change them so that the first step is not smaller than "
+                  "the smallest and not larger than the largest."));
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/parameter_file.h>
+#include <lumbricus/core/pattern_words.h>
 #include <lumbricus/core/prm_scanner.h>
 
 #include <deal.II/base/utilities.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -24,11 +26,54 @@ namespace lumbricus
     std::string
     included_file(const std::string &line)
     {
-      const std::string trimmed = dealii::Utilities::trim(line);
+      const std::string trimmed =
+        dealii::Utilities::trim(line.substr(0, line.find('#')));
       for (const std::string keyword : {"include ", "INCLUDE "})
         if (trimmed.compare(0, keyword.size(), keyword) == 0)
           return dealii::Utilities::trim(trimmed.substr(keyword.size()));
       return "";
+    }
+
+
+
+    // "A/B/" of "A/B/Name".
+    std::string
+    parent_of(const std::string &path)
+    {
+      const auto slash = path.rfind('/');
+      return slash == std::string::npos ? "" : path.substr(0, slash + 1);
+    }
+
+
+
+    std::string
+    last_name(const std::string &path)
+    {
+      return path.substr(parent_of(path).size());
+    }
+
+
+
+    // The names of those @p known that are in the same section as @p path.
+    std::vector<std::string>
+    names_beside(const std::string &path, const std::set<std::string> &known)
+    {
+      std::vector<std::string> names;
+      for (const std::string &other : known)
+        if (parent_of(other) == parent_of(path))
+          names.push_back(last_name(other));
+      return names;
+    }
+
+
+
+    std::string
+    quoted_list(const std::vector<std::string> &names)
+    {
+      std::string list;
+      for (const std::string &name : names)
+        list += (list.empty() ? "'" : ", '") + name + "'";
+      return list.empty() ? "none" : list;
     }
   } // namespace
 
@@ -39,13 +84,18 @@ namespace lumbricus
   {
     std::ifstream in(file_name);
     AssertThrow(in && !std::filesystem::is_directory(file_name),
+                ExcInput("The parameter file '" + file_name + "'" +
+                         (being_read.empty() ?
+                            std::string() :
+                            ", which '" + being_read.back() + "' includes,") +
+                         " cannot be read. Give the path of a .prm file; the "
+                         "gallery in parameters/ has some."));
+    const std::string file = std::filesystem::canonical(file_name).string();
+    AssertThrow(std::count(being_read.begin(), being_read.end(), file) == 0,
                 ExcInput("The parameter file '" + file_name +
-                         "' cannot be read. Give the path of a .prm file; "
-                         "the gallery in parameters/ has some."));
-    AssertThrow(
-      std::count(being_read.begin(), being_read.end(), file_name) == 0,
-      ExcInput("The parameter file '" + file_name + "' includes itself."));
-    being_read.push_back(file_name);
+                         "' includes itself, perhaps through another file. "
+                         "Remove one of the 'include' lines."));
+    being_read.push_back(file);
 
     // Lines with an include are left blank, so that line numbers stay right.
     std::string text;
@@ -62,7 +112,8 @@ namespace lumbricus
                         ExcInput(file_name + ", line " +
                                  std::to_string(number) +
                                  ": 'include' must come before the first "
-                                 "'set' or 'subsection' of a file."));
+                                 "'set' or 'subsection' of a file. Move it "
+                                 "up."));
             const std::filesystem::path path(included);
             read(path.is_absolute() ?
                    included :
@@ -77,7 +128,7 @@ namespace lumbricus
         text += '\n';
       }
     being_read.pop_back();
-    sources.push_back({file_name, text});
+    sources.push_back({file_name, text, false});
   }
 
 
@@ -88,7 +139,7 @@ namespace lumbricus
     const auto equals = setting.find('=');
     AssertThrow(equals != std::string::npos && equals > 0,
                 ExcInput("--set '" + setting +
-                         "': expected \"Section/Name=value\"."));
+                         "' is not of the form --set \"Section/Name=value\"."));
     std::vector<std::string> path = split_path(setting.substr(0, equals));
     const std::string        name = path.back();
     path.pop_back();
@@ -99,7 +150,56 @@ namespace lumbricus
     text += "set " + name + " =" + setting.substr(equals + 1) + "\n";
     for (unsigned int i = 0; i < path.size(); ++i)
       text += "end\n";
-    sources.push_back({"--set '" + setting + "'", text});
+    sources.push_back({"--set '" + setting + "'", text, true});
+  }
+
+
+
+  std::string
+  ParameterFile::Source::place(const unsigned int line) const
+  {
+    return is_setting ? name : name + ", line " + std::to_string(line);
+  }
+
+
+
+  std::string
+  ParameterFile::Source::wrong_value(const std::string &message) const
+  {
+    static const std::regex format(
+      "Line <([0-9]+)>[\\s\\S]*The entry value\\s+([\\s\\S]*?)\\s+for the entry named"
+      "[\\s\\S]*does not match the given pattern:\\s+([\\s\\S]*)");
+    std::smatch parts;
+    if (!std::regex_match(message, parts, format))
+      return name + ": " + message;
+
+    // A value that goes on over several lines is reported with the last one.
+    const unsigned int number = std::stoul(parts[1]);
+    std::string        path;
+    for (const PrmLine &line : scan_prm(text))
+      if (!line.is_section && line.number <= number)
+        path = line.path;
+    return place(number) + ": the parameter '" + path + "' is '" +
+           parts[2].str() + "', but has to be " + pattern_in_words(parts[3]) +
+           ".";
+  }
+
+
+
+  std::string
+  ParameterFile::Source::syntax_error(const std::string &message) const
+  {
+    static const std::regex format(
+      "Line <([0-9]+)> of file <[^>]*>:([\\s\\S]*)");
+    static const std::regex blanks("\\s+");
+    std::smatch             parts;
+    const bool              has_line = std::regex_match(message, parts, format);
+    const std::string       text =
+      std::regex_replace(has_line ? parts[2].str() : message, blanks, " ");
+    return (has_line ? place(std::stoul(parts[1])) : name) + ": " +
+           dealii::Utilities::trim(text) +
+           "\nThe lines of a parameter file are 'set Name = value', 'subsection "
+           "Name' and, for each of these, 'end'; # starts a comment.";
   }
 
 
@@ -115,16 +215,11 @@ namespace lumbricus
       }
     catch (const dealii::ParameterHandler::ExcInvalidEntryForPattern &exception)
       {
-        // The exception knows the line; the outline knows the section.
-        reason = plain_message(exception);
-        for (const PrmLine &line : scan_prm(source.text))
-          if (reason.find("Line <" + std::to_string(line.number) + ">") == 0)
-            reason =
-              "Parameter '" + line.path + "' has a wrong value.\n" + reason;
+        reason = source.wrong_value(plain_message(exception));
       }
     catch (const dealii::ExceptionBase &exception)
       {
-        reason = source.name + ": " + plain_message(exception);
+        reason = source.syntax_error(plain_message(exception));
       }
     AssertThrow(reason.empty(), ExcInput(reason));
   }
@@ -144,40 +239,83 @@ namespace lumbricus
       for (const PrmLine &line : scan_prm(source.text))
         {
           const auto &known = line.is_section ? sections : entries;
-          if (known.count(line.path) > 0)
-            continue;
-
-          // Suggest among the neighbours in the same section.
-          const auto        slash = line.path.rfind('/');
-          const std::string parent =
-            slash == std::string::npos ? "" : line.path.substr(0, slash + 1);
-          std::vector<std::string> neighbours;
-          for (const std::string &path : known)
-            if (path.compare(0, parent.size(), parent) == 0 &&
-                path.find('/', parent.size()) == std::string::npos)
-              neighbours.push_back(path.substr(parent.size()));
-
-          const std::string what = line.is_section ? "section" : "parameter";
-          const std::string hint =
-            nearest(line.path.substr(parent.size()), neighbours);
-          std::string message = source.name + ", line " +
-                                std::to_string(line.number) + ": the " + what +
-                                " '" + line.path +
-                                "' is unknown, or not used by what was chosen.";
-          if (!hint.empty())
-            message += "\nDid you mean '" + parent + hint + "'?";
-          else
-            {
-              message += "\nThe " + what + "s known there:";
-              for (const std::string &neighbour : neighbours)
-                message += (neighbour == neighbours.front() ? " '" : ", '") +
-                           neighbour + "'";
-              message += neighbours.empty() ? " none." : ".";
-            }
-          AssertThrow(false,
-                      ExcInput(message + "\n'lumbricus --parameters' lists "
-                                         "all parameters there are."));
+          AssertThrow(known.count(line.path) > 0,
+                      ExcInput(unknown_name(source, line, known, entries)));
         }
+  }
+
+
+
+  std::string
+  ParameterFile::unknown_name(const Source                &source,
+                              const PrmLine               &line,
+                              const std::set<std::string> &known,
+                              const std::set<std::string> &known_entries) const
+  {
+    const std::string what = line.is_section ? "section" : "parameter";
+    const std::string opening =
+      source.place(line.number) + ": the " + what + " '" + line.path + "' is ";
+    const std::string name = last_name(line.path);
+
+    const std::string choice =
+      line.is_section ? other_choice(line.path, known_entries) : "";
+    if (!choice.empty())
+      return opening + "not used, because " + choice + ". Choose '" + name +
+             "' there, or remove the section.";
+
+    // Suggest among the neighbours in the same section.
+    const std::vector<std::string> neighbours = names_beside(line.path, known);
+    const std::string              hint       = nearest(name, neighbours);
+    std::string                    message    = opening + "unknown";
+    if (!hint.empty())
+      message += ".\nDid you mean '" + parent_of(line.path) + hint + "'?";
+    else if (line.is_section)
+      message +=
+        " or not used.\nThe sections used there: " + quoted_list(neighbours) +
+        ". A section is used when another parameter chooses it or "
+        "lists its name.";
+    else
+      message +=
+        ".\nThe parameters known there: " + quoted_list(neighbours) + ".";
+    return message + "\n'lumbricus --parameters' lists all parameters.";
+  }
+
+
+
+  std::string
+  ParameterFile::other_choice(const std::string           &section,
+                              const std::set<std::string> &known_entries) const
+  {
+    const std::string        parent = parent_of(section);
+    std::vector<std::string> path   = split_path(section);
+    const std::string        name   = path.back();
+    path.pop_back();
+
+    const auto takes = [&](const std::string &entry, const std::string &value) {
+      try
+        {
+          prm.set(entry, value);
+          return true;
+        }
+      catch (const dealii::ExceptionBase &)
+        {
+          return false;
+        }
+    };
+
+    for (const std::string &outer : path)
+      prm.enter_subsection(outer);
+    std::string choice;
+    for (const std::string &entry : names_beside(section, known_entries))
+      {
+        const std::string value = prm.get(entry);
+        // A text takes anything, a choice only the names there are.
+        if (choice.empty() && !takes(entry, "?") && takes(entry, name))
+          choice = "'" + parent + entry + "' is '" + value + "'";
+      }
+    for (std::size_t i = 0; i < path.size(); ++i)
+      prm.leave_subsection();
+    return choice;
   }
 
 

@@ -60,7 +60,7 @@ namespace lumbricus
       for (unsigned int q = 0; q < n_q; ++q)
         for (const Muscle *muscle : muscles)
           active_fibres[i][q].push_back(
-            {muscle->fibres().direction(shapes.quadrature_point(i, q)), 1.});
+            {muscle->fibre_direction(shapes.quadrature_point(i, q)), 1.});
     });
   }
 

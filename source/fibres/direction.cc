@@ -31,9 +31,10 @@ namespace lumbricus
     {
       const double length = tensor().norm();
       AssertThrow(std::isfinite(length) && length > 0.,
-                  ExcInput("Parameter 'direction/Direction': the vector has no "
-                           "direction, because its length is zero or not a "
-                           "finite number. Give one like '1, 0, 0'."));
+                  ExcParameter("Direction",
+                               "has no direction, because its length is zero "
+                               "or not a finite number. Give a vector like "
+                               "'1, 0, 0'."));
     }
 
     dealii::Tensor<1, dim>

@@ -6,8 +6,6 @@
 #include <lumbricus/fibres/cylindrical_frame.h>
 #include <lumbricus/fibres/fibre_field.h>
 
-#include <deal.II/base/patterns.h>
-
 #include <cmath>
 #include <vector>
 
@@ -20,15 +18,19 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override
     {
-      prm.declare_entry(
+      prm.add_parameter(
         "Formulas",
-        "1; 0; 0",
-        dealii::Patterns::Anything(),
+        formulas,
         "[x; y; z] Three formulas for the components of a vector along the "
         "fibres, of any length but zero, separated by semicolons. They may use "
         "the reference position x, y, z and the number pi.");
-      prm.add_action("Formulas",
-                     [this](const std::string &text) { read(text); });
+    }
+
+    void
+    initialize(const std::string &muscle) override
+    {
+      parameter  = "Muscles/" + muscle + "/vector expression/Formulas";
+      components = vector_expression(parameter, formulas);
     }
 
     dealii::Tensor<1, dim>
@@ -50,13 +52,8 @@ namespace lumbricus
     }
 
   private:
-    void
-    read(const std::string &text)
-    {
-      components = vector_expression(parameter, text);
-    }
-
-    const std::string       parameter = "vector expression/Formulas";
+    std::string             formulas = "1; 0; 0";
+    std::string             parameter;
     std::vector<Expression> components;
   };
 

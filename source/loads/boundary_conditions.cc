@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
 #include <lumbricus/loads/boundary_conditions.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -26,28 +28,30 @@ namespace lumbricus
 
 
 
-    // Try the expressions of a condition over the time of the run.
-    void
-    check_values(const NamedCondition     &condition,
-                 const dealii::Point<dim> &X,
-                 const double              end_time)
+    // Why the values of a condition at @p points and @p times cannot be used;
+    // empty if they can.
+    std::string
+    bad_value(const BoundaryCondition               &condition,
+              const std::vector<dealii::Point<dim>> &points,
+              const std::vector<double>             &times)
     {
-      constexpr unsigned int n_times = 100;
-      for (const Expression &expression : condition.type->expressions())
-        for (unsigned int step = 0; step <= n_times; ++step)
-          {
-            const double t     = end_time * step / n_times;
-            const double value = expression.value(X, t);
-            if (!std::isfinite(value))
-              {
-                std::ostringstream message;
-                message << "Section '" << section << "/" << condition.name
-                        << "': the expression '" << expression.formula()
-                        << "' is " << value << " at time " << t
-                        << ". It has to be a number from time 0 to the end.";
-                AssertThrow(false, ExcInput(message.str()));
-              }
-          }
+      for (const Expression &expression : condition.expressions())
+        for (const dealii::Point<dim> &X : points)
+          for (const double t : times)
+            {
+              const double value = expression.value(X, t);
+              if (std::isfinite(value))
+                continue;
+              std::ostringstream message;
+              message << "Parameter '" << expression.parameter()
+                      << "': the expression '" << expression.formula()
+                      << "' is " << value << " at time " << t << ", X = ("
+                      << X[0] << ", " << X[1] << ", " << X[2]
+                      << "). Change it so that it is a number on the whole "
+                         "boundary from time 0 to the end.";
+              return message.str();
+            }
+      return "";
     }
   } // namespace
 
@@ -84,9 +88,9 @@ namespace lumbricus
   NamedCondition::check_parameters() const
   {
     AssertThrow(type.get() != nullptr,
-                ExcInput("Parameter '" + section + "/" + name +
-                         "/Type' is not set. Set it to one of " +
-                         Registry<BoundaryCondition>::names() + "."));
+                ExcParameter("Type",
+                             "is not set. Set it to one of " +
+                               Registry<BoundaryCondition>::names() + "."));
     type.check_parameters();
   }
 
@@ -126,14 +130,13 @@ namespace lumbricus
   void
   BoundaryConditions::check_parameters() const
   {
-    conditions.check_parameters();
+    within_section(section, [&]() { conditions.check_parameters(); });
   }
 
 
 
   void
-  BoundaryConditions::initialize(const Geometry &geometry,
-                                 const double    end_time)
+  BoundaryConditions::initialize(const Geometry &geometry)
   {
     const std::vector<std::string> known = geometry.boundary_names();
 
@@ -144,14 +147,14 @@ namespace lumbricus
         const auto      place =
           std::find(known.begin(), known.end(), condition.boundary_name);
         AssertThrow(place != known.end(),
-                    ExcInput("Parameter '" + section + "/" + condition.name +
-                             "/Boundary': there is no boundary '" +
-                             condition.boundary_name + "'. This shape has " +
-                             quoted_list(known) + "."));
+                    ExcParameter(section + "/" + condition.name + "/Boundary",
+                                 "is '" + condition.boundary_name +
+                                   "', but this shape has no such boundary. "
+                                   "Give one of " +
+                                   quoted_list(known) + "."));
         condition.boundary = place - known.begin();
         condition.type.get()->initialize(section + "/" + condition.name + "/" +
                                          condition.type.chosen_name());
-        check_values(condition, geometry.support_points()[0], end_time);
 
         const auto components = condition.type->prescribed_components();
         for (unsigned int c = 0; c < dim; ++c)
@@ -163,6 +166,38 @@ namespace lumbricus
                                "' is prescribed twice. Remove one of the two "
                                "conditions, or its component."));
       }
+  }
+
+
+
+  void
+  BoundaryConditions::try_expressions(
+    const dealii::parallel::TriangulationBase<dim> &triangulation,
+    const std::vector<double>                      &times) const
+  {
+    std::map<dealii::types::boundary_id, std::vector<dealii::Point<dim>>>
+      centers;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary())
+            centers[face->boundary_id()].push_back(face->center(true));
+
+    // Not more of them than take no time.
+    constexpr std::size_t most_points = 200;
+    for (auto &[id, points] : centers)
+      {
+        const std::size_t stride = 1 + points.size() / most_points;
+        for (std::size_t i = 0; i * stride < points.size(); ++i)
+          points[i] = points[i * stride];
+        points.resize((points.size() + stride - 1) / stride);
+      }
+
+    std::string message;
+    for (unsigned int i = 0; i < conditions.size() && message.empty(); ++i)
+      message =
+        bad_value(*conditions[i].type, centers[conditions[i].boundary], times);
+    throw_on_all_ranks<ExcInput>(message, triangulation.get_communicator());
   }
 
 

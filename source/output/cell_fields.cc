@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/element_kernel.h>
+#include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/output/cell_fields.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -81,7 +82,7 @@ namespace lumbricus
         add("active_stretch_" + name, Interpretation::component_is_scalar, 1);
       }
 
-    const dealii::FE_DGQ<dim> scalar(1);
+    const dealii::FE_DGQ<dim> scalar(MixedSpace::degree);
     fe =
       std::make_unique<dealii::FESystem<dim>>(scalar, component_names.size());
     projection.reinit(scalar.n_dofs_per_cell(), n_q);
@@ -183,18 +184,13 @@ namespace lumbricus
               }
           }
 
-        const dealii::DoFHandler<dim>::active_cell_iterator field_cell(
-          &space.triangulation,
-          cell->level(),
-          cell->index(),
-          &fields_dof_handler);
-        field_cell->get_dof_indices(field_indices);
+        same_cell(cell, fields_dof_handler)->get_dof_indices(field_indices);
         for (unsigned int k = 0; k < fe->n_dofs_per_cell(); ++k)
           {
-            const auto [component, vertex] = fe->system_to_component_index(k);
-            double value                   = 0.;
+            const auto [component, node] = fe->system_to_component_index(k);
+            double value                 = 0.;
             for (unsigned int q = 0; q < n_q; ++q)
-              value += projection(vertex, q) * values[q][component];
+              value += projection(node, q) * values[q][component];
             owned(field_indices[k]) = value;
           }
       }

@@ -18,16 +18,18 @@ namespace lumbricus
     n_newton_iterations = report.n_newton_iterations();
     n_resets            = report.n_resets;
     divergence          = report.divergence;
+    newton              = report.newton;
   }
 
 
 
-  Results::Results(const RunFolder      &folder,
-                   const MixedSpace     &space,
-                   const ShapeCache     &shapes,
-                   const Anatomy        &anatomy,
-                   const ReferenceField &references,
-                   const unsigned int    vtu_every)
+  Results::Results(const RunFolder                       &folder,
+                   const MixedSpace                      &space,
+                   const ShapeCache                      &shapes,
+                   const Anatomy                         &anatomy,
+                   const ReferenceField                  &references,
+                   const std::vector<dealii::Point<dim>> &probe_points,
+                   const unsigned int                     vtu_every)
     : space(space)
     , shapes(shapes)
     , anatomy(anatomy)
@@ -58,8 +60,19 @@ namespace lumbricus
              "seconds",
              "elapsed_seconds"},
             space.communicator())
-    , vtu(folder, space, anatomy)
+    , newton(folder,
+             "newton.csv",
+             {"step",
+              "solve",
+              "iteration",
+              "force_residual",
+              "volume_residual",
+              "increment",
+              "step_length"},
+             space.communicator())
     , cell_fields(space, shapes, anatomy, references)
+    , vtu(folder, space, anatomy)
+    , probes(probe_points, folder, space, cell_fields)
   {
     cell_fields.reinit();
   }
@@ -68,6 +81,35 @@ namespace lumbricus
 
   void
   Results::write(const State &state, const StepRecord &step)
+  {
+    write_segments(state, step);
+    write_steps(step);
+
+    const bool with_vtu = vtu_every > 0 && step.number % vtu_every == 0;
+    if (with_vtu || !probes.empty())
+      cell_fields.update(state.solution);
+    probes.write(state);
+    if (with_vtu)
+      vtu.write(state, cell_fields);
+    vtu_is_current = with_vtu;
+  }
+
+
+
+  void
+  Results::write_last(const State &state)
+  {
+    if (vtu_is_current)
+      return;
+    cell_fields.update(state.solution);
+    vtu.write(state, cell_fields);
+    vtu_is_current = true;
+  }
+
+
+
+  void
+  Results::write_segments(const State &state, const StepRecord &step)
   {
     const auto states =
       segment_states(space, shapes, anatomy, references, state.solution);
@@ -81,7 +123,13 @@ namespace lumbricus
         segments.end_row();
       }
     segments.flush();
+  }
 
+
+
+  void
+  Results::write_steps(const StepRecord &step)
+  {
     steps << step.number << step.time << step.size << step.n_cuts
           << step.n_solves << step.n_newton_iterations
           << step.n_linear_iterations << step.n_factorisations << step.seconds
@@ -89,18 +137,15 @@ namespace lumbricus
     steps.end_row();
     steps.flush();
 
-    vtu_is_current = false;
-    if (vtu_every > 0 && step.number % vtu_every == 0)
-      write_last(state);
-  }
-
-
-
-  void
-  Results::write_last(const State &state)
-  {
-    if (!vtu_is_current)
-      vtu.write(state, cell_fields);
-    vtu_is_current = true;
+    for (unsigned int solve = 0; solve < step.newton.size(); ++solve)
+      for (unsigned int k = 0; k < step.newton[solve].size(); ++k)
+        {
+          const NewtonIteration &iteration = step.newton[solve][k];
+          newton << step.number << solve + 1 << k + 1
+                 << iteration.residual.force << iteration.residual.volume
+                 << iteration.increment << iteration.step_length;
+          newton.end_row();
+        }
+    newton.flush();
   }
 } // namespace lumbricus

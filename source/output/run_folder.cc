@@ -18,8 +18,11 @@ namespace lumbricus
     if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
       {
         std::error_code error;
-        std::filesystem::create_directories(folder + "/vtu", error);
-        if (error)
+        if (!folder.empty())
+          std::filesystem::create_directories(folder + "/vtu", error);
+        if (folder.empty())
+          reason = "it has no name";
+        else if (error)
           reason = error.message();
         else
           try

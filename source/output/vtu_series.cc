@@ -19,7 +19,7 @@ namespace lumbricus
 
 
   void
-  VtuSeries::write(const State &state, CellFields &cell_fields)
+  VtuSeries::write(const State &state, const CellFields &cell_fields)
   {
     const MPI_Comm     comm    = space.communicator();
     const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(comm);
@@ -27,7 +27,6 @@ namespace lumbricus
 
     Vector relevant(space.locally_owned, space.locally_relevant, comm);
     relevant = state.solution;
-    cell_fields.update(state.solution);
 
     dealii::Vector<double> segment(space.triangulation.n_active_cells());
     dealii::Vector<double> tissue(segment.size());

@@ -16,8 +16,7 @@ namespace lumbricus
     : parameters(parameters)
     , log(log)
     , comm(comm)
-    , timer(comm,
-            std::cout,
+    , timer(std::cout,
             dealii::TimerOutput::never,
             dealii::TimerOutput::wall_times)
     , triangulation(comm)
@@ -57,6 +56,7 @@ namespace lumbricus
     shapes.reinit();
     references.reinit();
     supports.reinit();
+    parameters.try_expressions(triangulation);
     equilibrium.reinit();
   }
 
@@ -86,6 +86,7 @@ namespace lumbricus
                     shapes,
                     parameters.anatomy,
                     references,
+                    parameters.probe_points.points(),
                     parameters.output_every);
     State   state = space.initial_state();
     references.update(state);
@@ -106,6 +107,11 @@ namespace lumbricus
       }
     catch (const dealii::ExceptionBase &exception)
       {
+        // Only these two are thrown on all ranks; anything else is a bug.
+        if (dynamic_cast<const ExcInput *>(&exception) == nullptr &&
+            dynamic_cast<const ExcSolveFailed *>(&exception) == nullptr)
+          throw;
+
         // The last good state is what the run leaves.
         references.update(state);
         results.write_last(state);
@@ -136,6 +142,8 @@ namespace lumbricus
           State next = state;
           next.time  = stepping.next_time(state.time);
           references.update(next);
+          parameters.boundary_conditions.try_expressions(triangulation,
+                                                         {next.time});
           equilibrium.set_time(next.time, next.solution);
           const auto report =
             parameters.reset_iteration.solve(next,

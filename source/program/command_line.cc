@@ -45,6 +45,10 @@ namespace lumbricus
             break;
           case 'o':
             output_folder = optarg;
+            AssertThrow(!output_folder.empty(),
+                        ExcInput("The option '--output' needs the name of a "
+                                 "folder." +
+                                 advice));
             break;
           case ':':
             AssertThrow(false,

@@ -38,11 +38,18 @@ namespace
     if (!command_line.output_folder.empty())
       parameters.output_folder = command_line.output_folder;
 
-    Log                        log(comm);
+    // First see whether results can be written, but leave what is in the folder
+    // as it is until the input has turned out to be right.
     std::unique_ptr<RunFolder> folder;
     if (!command_line.check)
+      folder = std::make_unique<RunFolder>(parameters.output_folder, comm);
+
+    Log          log(comm);
+    ChainProblem problem(parameters, log, comm);
+    problem.setup();
+
+    if (folder != nullptr)
       {
-        folder = std::make_unique<RunFolder>(parameters.output_folder, comm);
         log.open(folder->path() + "/log.txt");
         std::ostringstream resolved;
         file.print_resolved(resolved);
@@ -55,9 +62,6 @@ namespace
     std::ostringstream version;
     print_version(version);
     log << version.str() << blas_warning();
-
-    ChainProblem problem(parameters, log, comm);
-    problem.setup();
     problem.describe();
     if (command_line.check)
       log << "The input is valid; nothing was computed.\n";

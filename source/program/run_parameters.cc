@@ -44,6 +44,7 @@ namespace lumbricus
                       "[-] Write VTU files after every so many load steps, and "
                       "at the end; 0 for the end only. Tables have every step.",
                       dealii::Patterns::Integer(0));
+    probe_points.declare_parameters(prm);
     prm.leave_subsection();
   }
 
@@ -69,7 +70,9 @@ namespace lumbricus
     anatomy.check_parameters();
     boundary_conditions.check_parameters();
     load_stepping.check_parameters();
-    linear_solver.check_parameters();
+    within_section("Linear solver",
+                   [&]() { linear_solver.check_parameters(); });
+    probe_points.points();
   }
 
 
@@ -77,8 +80,21 @@ namespace lumbricus
   void
   RunParameters::initialize()
   {
-    anatomy.initialize(load_stepping.end_time());
-    boundary_conditions.initialize(anatomy.geometry(),
-                                   load_stepping.end_time());
+    anatomy.initialize();
+    boundary_conditions.initialize(anatomy.geometry());
+  }
+
+
+
+  void
+  RunParameters::try_expressions(
+    const dealii::parallel::TriangulationBase<dim> &triangulation) const
+  {
+    constexpr unsigned int n = 100;
+    std::vector<double>    times;
+    for (unsigned int i = 0; i <= n; ++i)
+      times.push_back(load_stepping.end_time() * i / n);
+    anatomy.try_active_stretches(triangulation, times);
+    boundary_conditions.try_expressions(triangulation, times);
   }
 } // namespace lumbricus

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/patterns.h>
+#include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/solvers/reset_iteration.h>
 
 #include <deal.II/grid/filtered_iterator.h>
@@ -134,13 +135,8 @@ namespace lumbricus
         const Region region = Region::of(cell->material_id());
         if (!anatomy.is_liquid(region.tissue) || !in_segment[region.segment])
           continue;
-        const dealii::DoFHandler<dim>::active_cell_iterator rest_cell(
-          &space.triangulation,
-          cell->level(),
-          cell->index(),
-          &space.rest_dof_handler);
         cell->get_dof_indices(indices);
-        rest_cell->get_dof_indices(rest_indices);
+        same_cell(cell, space.rest_dof_handler)->get_dof_indices(rest_indices);
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
             state.rest_displacement(rest_indices[space.rest_dof[c][n]]) =

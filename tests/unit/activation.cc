@@ -144,8 +144,8 @@ TEST(Activation, WrongParametersAreErrorsThatNameThem)
                        "'Muscles/longitudinal/expression/Formula'"));
   EXPECT_TRUE(
     contains(input_error([]() { activation("wave", "set Amplitude = 1"); }),
-             "'wave/Amplitude'"));
+             "'Amplitude'"));
   EXPECT_TRUE(
     contains(input_error([]() { activation("wave", "set Duty = 1.01"); }),
-             "'wave/Duty'"));
+             "'Duty'"));
 }

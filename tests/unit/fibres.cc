@@ -24,7 +24,9 @@ namespace
   std::unique_ptr<FibreField>
   fibres(const std::string &name, const std::string &text = "")
   {
-    return read_plugin<FibreField>(name, text);
+    auto result = read_plugin<FibreField>(name, text);
+    result->initialize("biceps");
+    return result;
   }
 
   void
@@ -115,7 +117,9 @@ TEST(Fibres, NoDirectionIsAnErrorThatNamesThePoint)
         fibres("vector expression", "set Formulas = " + formulas);
       const std::string message =
         input_error([&]() { field->direction(Point<3>(2, 0.25, 1)); });
-      EXPECT_TRUE(contains(message, "vector expression/Formulas")) << message;
+      EXPECT_TRUE(
+        contains(message, "'Muscles/biceps/vector expression/Formulas'"))
+        << message;
       EXPECT_TRUE(contains(message, "(2, 0.25, 1)")) << message;
     }
 }
@@ -127,14 +131,14 @@ TEST(Fibres, WrongParametersAreErrorsThatNameThem)
   EXPECT_TRUE(contains(input_error([]() {
                          fibres("direction", "set Direction = 0, 0, 0");
                        }),
-                       "'direction/Direction'"));
+                       "'Direction'"));
   EXPECT_TRUE(contains(input_error([]() {
                          fibres("vector expression", "set Formulas = 1; 2");
                        }),
-                       "'vector expression/Formulas'"));
+                       "'Muscles/biceps/vector expression/Formulas'"));
   EXPECT_TRUE(contains(input_error([]() {
                          fibres("vector expression",
                                 "set Formulas = 1; 2; foo(x)");
                        }),
-                       "'vector expression/Formulas'"));
+                       "'Muscles/biceps/vector expression/Formulas'"));
 }

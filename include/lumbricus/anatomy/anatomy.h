@@ -8,6 +8,8 @@
 #include <lumbricus/core/registry.h>
 #include <lumbricus/geometry/geometry.h>
 
+#include <deal.II/distributed/tria_base.h>
+
 #include <string>
 #include <vector>
 
@@ -32,12 +34,19 @@ namespace lumbricus
     void
     check_parameters() const override;
 
+    /** Read the muscles' expressions. Throws ExcInput. */
+    void
+    initialize();
+
     /**
-     * Read the muscles' expressions and try them at the middle of every
-     * segment, at 101 times up to @p end_time. Throws ExcInput.
+     * Try the active stretch of every muscle in the middle of a cell of every
+     * segment it is in, at @p times. Throws ExcInput where it is not a
+     * positive number. Collective.
      */
     void
-    initialize(const double end_time);
+    try_active_stretches(
+      const dealii::parallel::TriangulationBase<dim> &triangulation,
+      const std::vector<double>                      &times) const;
 
     const Geometry &
     geometry() const;
@@ -71,6 +80,9 @@ namespace lumbricus
   private:
     std::vector<std::string>
     all_muscle_names() const;
+
+    void
+    check_liquids() const;
 
     Choice<Geometry>        geometry_choice;
     NamedSections<Tissue>   tissues;

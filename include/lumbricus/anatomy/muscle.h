@@ -33,8 +33,12 @@ namespace lumbricus
     const std::string &
     name() const;
 
-    const FibreField &
-    fibres() const;
+    /**
+     * The unit vector along the fibres at @p X. Throws ExcInput where they
+     * have no direction, naming muscle and point.
+     */
+    dealii::Tensor<1, dim>
+    fibre_direction(const dealii::Point<dim> &X) const;
 
     /**
      * The active stretch lambda at time @p t in segment @p segment (from one)

@@ -23,11 +23,18 @@ namespace lumbricus
     extend_parameters(dealii::ParameterHandler &prm,
                       const Extent              extent) override;
 
+    void
+    check_parameters() const override;
+
     const std::string &
     name() const;
 
     const MaterialLaw &
     law() const;
+
+    /** The path of the law's section, for messages. */
+    std::string
+    law_section() const;
 
     /** Names of sections in Muscles. */
     const std::vector<std::string> &

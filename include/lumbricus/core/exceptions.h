@@ -19,6 +19,36 @@ namespace lumbricus
   DeclException1(ExcInput, std::string, << arg1);
 
   /**
+   * The same for one parameter, whose path may still lack the sections that
+   * its owner does not know: within_section() puts them in front.
+   */
+  class ExcParameter : public ExcInput
+  {
+  public:
+    /** The message is "Parameter '<path>' <what is wrong>". */
+    ExcParameter(const std::string &path, const std::string &what)
+      : ExcInput("Parameter '" + path + "' " + what)
+      , path(path)
+      , what_is_wrong(what)
+    {}
+
+    ExcParameter
+    in_section(const std::string &section) const
+    {
+      return ExcParameter(section + "/" + path, what_is_wrong);
+    }
+
+  private:
+    std::string path;
+    std::string what_is_wrong;
+  };
+
+  /** Run @p check; an ExcParameter it throws is about this section. */
+  template <typename Check>
+  void
+  within_section(const std::string &section, const Check &check);
+
+  /**
    * Newton's method or the reset iteration did not converge. Load stepping,
    * and nothing else, catches this one and tries a smaller step.
    */
@@ -42,6 +72,22 @@ namespace lumbricus
   /** The message of the lowest rank that has one, on every rank. Collective. */
   std::string
   first_message(const std::string &message, const MPI_Comm comm);
+
+
+
+  template <typename Check>
+  void
+  within_section(const std::string &section, const Check &check)
+  {
+    try
+      {
+        check();
+      }
+    catch (const ExcParameter &exception)
+      {
+        AssertThrow(false, exception.in_section(section));
+      }
+  }
 
 
 

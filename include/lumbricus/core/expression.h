@@ -37,6 +37,13 @@ namespace lumbricus
     double
     value(const dealii::Point<dim> &x, const double t) const;
 
+    /** The full name of the parameter. */
+    const std::string &
+    parameter() const
+    {
+      return name;
+    }
+
     const std::string &
     formula() const
     {

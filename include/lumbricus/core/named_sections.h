@@ -2,6 +2,7 @@
 #ifndef lumbricus_core_named_sections_h
 #define lumbricus_core_named_sections_h
 
+#include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/parameter_owner.h>
 
 #include <memory>
@@ -58,7 +59,8 @@ namespace lumbricus
     check_parameters() const
     {
       for (const auto &section : sections)
-        section.second->check_parameters();
+        within_section(section.first,
+                       [&]() { section.second->check_parameters(); });
     }
 
     /** The object of that name, or nullptr. */

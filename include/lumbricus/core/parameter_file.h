@@ -3,10 +3,12 @@
 #define lumbricus_core_parameter_file_h
 
 #include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/core/prm_scanner.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <iosfwd>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,10 +56,39 @@ namespace lumbricus
     {
       std::string name;
       std::string text;
+      bool        is_setting;
+
+      /** The place of a line, for messages: "file.prm, line 3". */
+      std::string
+      place(const unsigned int line) const;
+
+      /** deal.II's message on a value that does not match its pattern, said
+       * with the full name of the parameter and in words. */
+      std::string
+      wrong_value(const std::string &message) const;
+
+      /** deal.II's message on a line it cannot read, with its place first. */
+      std::string
+      syntax_error(const std::string &message) const;
     };
 
     void
     check_names() const;
+
+    /** The message on a line whose path is not among those @p known. */
+    std::string
+    unknown_name(const Source                &source,
+                 const PrmLine               &line,
+                 const std::set<std::string> &known,
+                 const std::set<std::string> &known_entries) const;
+
+    /**
+     * The parameter beside @p section that could choose it but does not, as
+     * "'Geometry/Shape' is 'block'"; empty if there is none. Spoils values.
+     */
+    std::string
+    other_choice(const std::string           &section,
+                 const std::set<std::string> &known_entries) const;
 
     void
     parse_source(const Source &source, const bool skip_undefined);

@@ -47,7 +47,8 @@ namespace lumbricus
 
     /**
      * Check what one entry's pattern cannot: agreement between entries.
-     * Throws ExcInput.
+     * Throws ExcInput, or ExcParameter with a path that starts at the section
+     * of this object.
      */
     virtual void
     check_parameters() const

@@ -138,7 +138,7 @@ namespace lumbricus
     check_parameters() const override
     {
       if (const auto *object = get())
-        object->check_parameters();
+        within_section(name, [&]() { object->check_parameters(); });
     }
 
     const std::string &

@@ -8,6 +8,8 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <string>
+
 namespace lumbricus
 {
   /** Unit vectors along the fibres of a muscle, in the reference configuration.
@@ -17,6 +19,15 @@ namespace lumbricus
   public:
     void
     declare_parameters(dealii::ParameterHandler & /*prm*/) override
+    {}
+
+    /**
+     * Called once before the first direction(); @param muscle is the name of
+     * the muscle, for messages. Throws ExcInput (an expression that does not
+     * parse).
+     */
+    virtual void
+    initialize(const std::string & /*muscle*/)
     {}
 
     /**

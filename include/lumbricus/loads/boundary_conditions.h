@@ -7,6 +7,8 @@
 #include <lumbricus/geometry/geometry.h>
 #include <lumbricus/loads/boundary_condition.h>
 
+#include <deal.II/distributed/tria_base.h>
+
 #include <string>
 #include <vector>
 
@@ -51,12 +53,21 @@ namespace lumbricus
     check_parameters() const override;
 
     /**
-     * Find the boundaries, read the expressions, and try them at 101 times up
-     * to @p end_time. Throws ExcInput for a boundary that does not exist, for
-     * two conditions that prescribe the same displacement, and for NaN.
+     * Find the boundaries and read the expressions. Throws ExcInput for a
+     * boundary that does not exist and for two conditions that prescribe the
+     * same displacement.
      */
     void
-    initialize(const Geometry &geometry, const double end_time);
+    initialize(const Geometry &geometry);
+
+    /**
+     * Try all expressions in the middle of faces they are for, at @p times.
+     * Throws ExcInput where a value is NaN or infinite. Collective.
+     */
+    void
+    try_expressions(
+      const dealii::parallel::TriangulationBase<dim> &triangulation,
+      const std::vector<double>                      &times) const;
 
     /** The conditions that act on boundary @p id. */
     std::vector<const BoundaryCondition *>

@@ -17,8 +17,8 @@ namespace lumbricus
 {
   /**
    * What is known at the quadrature points only, for pictures: on each cell
-   * the trilinear function nearest to the values there. Discontinuous between
-   * cells, as stresses are between tissues.
+   * the triquadratic function that takes the values there. Discontinuous
+   * between cells, as stresses are between tissues.
    */
   class CellFields
   {

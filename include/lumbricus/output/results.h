@@ -5,6 +5,7 @@
 #include <lumbricus/discretization/segment_state.h>
 #include <lumbricus/output/cell_fields.h>
 #include <lumbricus/output/csv_table.h>
+#include <lumbricus/output/probes.h>
 #include <lumbricus/output/vtu_series.h>
 #include <lumbricus/solvers/reset_iteration.h>
 
@@ -36,23 +37,27 @@ namespace lumbricus
     /** Per segment. */
     std::vector<unsigned int> n_resets;
     std::vector<double>       divergence;
+    /** Of every solve: the first and one after each reset. */
+    std::vector<std::vector<NewtonIteration>> newton;
   };
 
 
 
   /**
-   * Everything a run leaves on disk: segments.csv and steps.csv with every
-   * step, VTU files of some, and of the last good state in any case.
+   * Everything a run leaves on disk: segments.csv, points.csv, steps.csv and
+   * newton.csv with every step, VTU files of some steps, and of the last good
+   * state in any case.
    */
   class Results
   {
   public:
-    Results(const RunFolder      &folder,
-            const MixedSpace     &space,
-            const ShapeCache     &shapes,
-            const Anatomy        &anatomy,
-            const ReferenceField &references,
-            const unsigned int    vtu_every);
+    Results(const RunFolder                       &folder,
+            const MixedSpace                      &space,
+            const ShapeCache                      &shapes,
+            const Anatomy                         &anatomy,
+            const ReferenceField                  &references,
+            const std::vector<dealii::Point<dim>> &probe_points,
+            const unsigned int                     vtu_every);
 
     /** Write a state that has converged. Collective. */
     void
@@ -64,6 +69,12 @@ namespace lumbricus
     write_last(const State &state);
 
   private:
+    void
+    write_segments(const State &state, const StepRecord &step);
+
+    void
+    write_steps(const StepRecord &step);
+
     const MixedSpace     &space;
     const ShapeCache     &shapes;
     const Anatomy        &anatomy;
@@ -72,8 +83,10 @@ namespace lumbricus
 
     CsvTable   segments;
     CsvTable   steps;
-    VtuSeries  vtu;
+    CsvTable   newton;
     CellFields cell_fields;
+    VtuSeries  vtu;
+    Probes     probes;
     bool       vtu_is_current = false;
   };
 } // namespace lumbricus

@@ -24,9 +24,10 @@ namespace lumbricus
               const MixedSpace &space,
               const Anatomy    &anatomy);
 
-    /** Write @p state with the fields of @p cell_fields. Collective. */
+    /** Write @p state with the fields of @p cell_fields, which are computed
+     * at that state. Collective. */
     void
-    write(const State &state, CellFields &cell_fields);
+    write(const State &state, const CellFields &cell_fields);
 
   private:
     const RunFolder  &folder;

@@ -5,6 +5,7 @@
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/core/load_stepping.h>
 #include <lumbricus/loads/boundary_conditions.h>
+#include <lumbricus/output/probes.h>
 #include <lumbricus/solvers/linear_solver.h>
 #include <lumbricus/solvers/reset_iteration.h>
 
@@ -35,6 +36,14 @@ namespace lumbricus
     void
     initialize();
 
+    /**
+     * Try all expressions on the mesh, at 101 times of the run. Throws
+     * ExcInput. Collective.
+     */
+    void
+    try_expressions(
+      const dealii::parallel::TriangulationBase<dim> &triangulation) const;
+
     std::string          title;
     Anatomy              anatomy;
     unsigned int         n_global_refinements = 0;
@@ -45,6 +54,7 @@ namespace lumbricus
     Choice<LinearSolver> linear_solver;
     std::string          output_folder = "results";
     unsigned int         output_every  = 1;
+    ProbePoints          probe_points;
   };
 } // namespace lumbricus
 

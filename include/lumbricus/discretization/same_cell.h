@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_discretization_same_cell_h
+#define lumbricus_discretization_same_cell_h
+
+#include <lumbricus/core/dimension.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+namespace lumbricus
+{
+  /** @p cell as a cell of @p dof_handler, which is on the same mesh. */
+  template <typename CellIterator>
+  dealii::DoFHandler<dim>::active_cell_iterator
+  same_cell(const CellIterator            &cell,
+            const dealii::DoFHandler<dim> &dof_handler)
+  {
+    return {&dof_handler.get_triangulation(),
+            cell->level(),
+            cell->index(),
+            &dof_handler};
+  }
+} // namespace lumbricus
+
+#endif

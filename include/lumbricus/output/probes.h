@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_output_probes_h
+#define lumbricus_output_probes_h
+
+#include <lumbricus/output/cell_fields.h>
+#include <lumbricus/output/csv_table.h>
+
+#include <deal.II/base/point.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /** Material points whose displacement and stress are written to a table. */
+  class ProbePoints : public ParameterOwner
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    /** The reference positions [mm]. Throws ExcInput. */
+    std::vector<dealii::Point<dim>>
+    points() const;
+
+  private:
+    std::string list;
+  };
+
+
+
+  /** The table points.csv. */
+  class Probes
+  {
+  public:
+    /** Find the cells. Throws ExcInput for a point outside the body, on all
+     * ranks. Collective. */
+    Probes(const std::vector<dealii::Point<dim>> &points,
+           const RunFolder                       &folder,
+           const MixedSpace                      &space,
+           const CellFields                      &cell_fields);
+
+    /** Whether there are any. */
+    bool
+    empty() const;
+
+    /** Write a row per point. The fields must be those of @p state.
+     * Collective. */
+    void
+    write(const State &state);
+
+  private:
+    /** Where a point lies, on the rank that has it. */
+    struct Place
+    {
+      dealii::Triangulation<dim>::active_cell_iterator cell;
+      dealii::Point<dim>                               unit_point;
+      bool                                             mine = false;
+    };
+
+    Place
+    find(const dealii::Point<dim> &point) const;
+
+    const std::vector<dealii::Point<dim>> points;
+    const MixedSpace                     &space;
+    const CellFields                     &cell_fields;
+    std::vector<Place>                    places;
+    std::unique_ptr<CsvTable>             table;
+  };
+} // namespace lumbricus
+
+#endif

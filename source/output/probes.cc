@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/output/probes.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/grid/filtered_iterator.h>
+
+#include <limits>
+#include <sstream>
+
+namespace lumbricus
+{
+  namespace
+  {
+    // What is written of a point: displacement, pressure, stress, J.
+    constexpr unsigned int n_fields = 1 + dim * dim + 1;
+  } // namespace
+
+
+
+  void
+  ProbePoints::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.add_parameter("Points",
+                      list,
+                      "[mm] Material points 'x, y, z' at rest, separated by "
+                      "semicolons, whose displacement and stress are written "
+                      "to points.csv.");
+  }
+
+
+
+  std::vector<dealii::Point<dim>>
+  ProbePoints::points() const
+  {
+    std::vector<dealii::Point<dim>> all;
+    for (const std::string &text :
+         dealii::Utilities::split_string_list(list, ';'))
+      try
+        {
+          const auto coordinates = dealii::Utilities::string_to_double(
+            dealii::Utilities::split_string_list(text, ','));
+          AssertThrow(coordinates.size() == dim,
+                      dealii::ExcMessage("not three numbers"));
+          all.emplace_back(coordinates[0], coordinates[1], coordinates[2]);
+        }
+      catch (const dealii::ExceptionBase &)
+        {
+          AssertThrow(false,
+                      ExcInput("Parameter 'Output/Points': '" + text +
+                               "' is not a point. Give three numbers a point, "
+                               "as in '0, 0, 2; 1, 0, 2'."));
+        }
+    return all;
+  }
+
+
+
+  Probes::Probes(const std::vector<dealii::Point<dim>> &points,
+                 const RunFolder                       &folder,
+                 const MixedSpace                      &space,
+                 const CellFields                      &cell_fields)
+    : points(points)
+    , space(space)
+    , cell_fields(cell_fields)
+  {
+    if (empty())
+      return;
+    for (const auto &point : points)
+      places.push_back(find(point));
+
+    std::vector<std::string> columns = {
+      "t", "point", "x", "y", "z", "ux", "uy", "uz", "pressure"};
+    for (const std::string row : {"x", "y", "z"})
+      for (const std::string column : {"x", "y", "z"})
+        columns.push_back("s" + row + column);
+    columns.push_back("J");
+    table = std::make_unique<CsvTable>(folder,
+                                       "points.csv",
+                                       columns,
+                                       space.communicator());
+  }
+
+
+
+  bool
+  Probes::empty() const
+  {
+    return points.empty();
+  }
+
+
+
+  Probes::Place
+  Probes::find(const dealii::Point<dim> &point) const
+  {
+    Place  best;
+    double least = std::numeric_limits<double>::max();
+    for (const auto &cell : space.triangulation.active_cell_iterators() |
+                              dealii::IteratorFilters::LocallyOwnedCell())
+      {
+        if (cell->center().distance(point) > cell->diameter())
+          continue;
+        try
+          {
+            const auto unit =
+              space.mapping.transform_real_to_unit_cell(cell, point);
+            const double distance =
+              dealii::GeometryInfo<dim>::distance_to_unit_cell(unit);
+            if (distance < least)
+              {
+                least           = distance;
+                best.cell       = cell;
+                best.unit_point = unit;
+              }
+          }
+        catch (const dealii::Mapping<dim>::ExcTransformationFailed &)
+          {
+            // So far outside that the map cannot be inverted there.
+          }
+      }
+
+    const auto nearest =
+      dealii::Utilities::MPI::min_max_avg(least, space.communicator());
+    std::ostringstream message;
+    message << "Parameter 'Output/Points': the point (" << point
+            << ") is not in the body. Give a point of the mesh at rest; with a "
+               "quarter cross-section, y and z are not negative.";
+    AssertThrow(nearest.min < 1e-6, ExcInput(message.str()));
+    best.mine = nearest.min_index ==
+                dealii::Utilities::MPI::this_mpi_process(space.communicator());
+    return best;
+  }
+
+
+
+  void
+  Probes::write(const State &state)
+  {
+    if (empty())
+      return;
+    const MPI_Comm comm = space.communicator();
+    Vector         relevant(space.locally_owned, space.locally_relevant, comm);
+    relevant = state.solution;
+
+    constexpr unsigned int n_values = dim + n_fields;
+    std::vector<double>    values(points.size() * n_values, 0.);
+    for (unsigned int k = 0; k < points.size(); ++k)
+      {
+        if (!places[k].mine)
+          continue;
+        const auto add_fields = [&](const dealii::DoFHandler<dim> &dof_handler,
+                                    const Vector                  &vector,
+                                    const unsigned int             n_components,
+                                    double                        *result) {
+          const auto  cell = same_cell(places[k].cell, dof_handler);
+          const auto &fe   = dof_handler.get_fe();
+          std::vector<dealii::types::global_dof_index> indices(
+            fe.n_dofs_per_cell());
+          cell->get_dof_indices(indices);
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            {
+              const unsigned int c = fe.system_to_component_index(i).first;
+              if (c < n_components)
+                result[c] +=
+                  vector(indices[i]) * fe.shape_value(i, places[k].unit_point);
+            }
+        };
+        double *point_values = &values[k * n_values];
+        add_fields(space.dof_handler, relevant, dim, point_values);
+        add_fields(cell_fields.dof_handler(),
+                   cell_fields.values(),
+                   n_fields,
+                   point_values + dim);
+      }
+    dealii::Utilities::MPI::sum(values, comm, values);
+
+    for (unsigned int k = 0; k < points.size(); ++k)
+      {
+        *table << state.time << k + 1;
+        for (unsigned int i = 0; i < dim; ++i)
+          *table << points[k][i];
+        for (unsigned int i = 0; i < n_values; ++i)
+          *table << values[k * n_values + i];
+        table->end_row();
+      }
+    table->flush();
+  }
+} // namespace lumbricus

@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the command line and the parameter file offer beside a run."""
+import os
+import pathlib
+import subprocess
+
+import pytest
+
+from lumbricus_run import run, run_well
+
+HERE = pathlib.Path(__file__).resolve().parent
+BLOCK = HERE / "block.prm"
+
+
+def call(*arguments, folder=None):
+    """Call the program without mpirun."""
+    return subprocess.run([os.environ["LUMBRICUS"], *map(str, arguments)],
+                          capture_output=True, text=True, timeout=60,
+                          cwd=folder)
+
+
+def outline(text):
+    """The value of each parameter of a file, by its full name."""
+    values, sections = {}, []
+    for line in text.splitlines():
+        line = line.split("#")[0].strip()
+        if line.startswith("subsection "):
+            sections.append(line[len("subsection "):])
+        elif line == "end":
+            sections.pop()
+        elif line.startswith("set "):
+            name, value = line[len("set "):].split("=", 1)
+            values["/".join([*sections, name.strip()])] = value.strip()
+    assert not sections
+    return values
+
+
+@pytest.mark.parametrize("option", ["--help", "-h"])
+def test_help(option):
+    result = call(option)
+    assert result.returncode == 0 and result.stderr == ""
+    for word in ("--check", "--set", "--output", "--parameters", "--version",
+                 "FILE.prm", "mpirun", "Exit codes"):
+        assert word in result.stdout
+    assert max(map(len, result.stdout.splitlines())) <= 80
+
+
+@pytest.mark.parametrize("option", ["--version", "-v"])
+def test_version(option):
+    result = call(option)
+    assert result.returncode == 0
+    assert result.stdout.startswith("lumbricus ")
+    assert "deal.II" in result.stdout and result.stdout.count("\n") == 1
+
+
+def test_check_computes_and_writes_nothing(tmp_path):
+    result = call("--check", BLOCK, folder=tmp_path)
+    assert result.returncode == 0 and result.stderr == ""
+    # 27 nodes with three displacements, four pressures.
+    assert "1 segment, 1 cells, 85 unknowns" in result.stdout
+    assert "nothing was computed" in result.stdout
+    assert not list(tmp_path.iterdir())
+
+    result = call("--check", BLOCK, "--set", "Time/Ende=1", folder=tmp_path)
+    assert result.returncode == 1 and "'Time/Ende'" in result.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_parameters_are_complete_and_can_be_read(tmp_path):
+    result = call("--parameters")
+    assert result.returncode == 0
+    values = outline(result.stdout)
+    for name in ("Geometry/Shape", "Geometry/block/Lengths",
+                 "Geometry/open cylinder/Filled",
+                 "Geometry/segment chain/Segments 8-10/Radius",
+                 "Tissues/<tissue>/Law", "Tissues/<tissue>/Neo-Hooke/a",
+                 "Tissues/<tissue>/Mooney-Rivlin/nu",
+                 "Muscles/<muscle>/Fibres", "Muscles/<muscle>/helical/Angle",
+                 "Muscles/<muscle>/wave/Amplitude",
+                 "Muscles/<muscle>/expression/Formula",
+                 "Boundary conditions/Names",
+                 "Boundary conditions/<load or support>/Boundary",
+                 "Boundary conditions/<load or support>/spring/Stiffness",
+                 "Boundary conditions/<load or support>/dead traction/Traction",
+                 "Time/Smallest step", "Reset/Limit", "Newton/Force tolerance",
+                 "Linear solver/kept factor/Most iterations",
+                 "Output/Folder", "Mesh/Global refinements"):
+        assert name in values, name
+
+    # Each parameter the program knows is documented right above.
+    lines = result.stdout.splitlines()
+    for above, line in zip(lines, lines[1:]):
+        if line.strip().startswith("set "):
+            assert above.strip().startswith("#"), line
+
+    # With the names that stand for the user's, it is a file of defaults: a
+    # run of the default body knows every parameter that it names.
+    chosen = [name for name in values if "<" not in name and
+              name.split("/")[0] in ("Time", "Reset", "Newton", "Mesh")]
+    settings = []
+    for name in chosen:
+        settings += ["--set", f"{name}={values[name]}"]
+    assert call("--check", BLOCK, *settings).returncode == 0
+
+
+def test_set_wins_over_the_file(tmp_path):
+    result = run_well(BLOCK, tmp_path / "out",
+                      ["Time/End = 0.5", "Title=Set = twice", "Title=Set = 2",
+                       "Tissues/flesh/Neo-Hooke/a=2.5",
+                       "Boundary conditions/push/follower pressure/Pressure=0",
+                       "Muscles/biceps/expression/Formula = 1"])
+    values = outline((tmp_path / "out/parameters.prm").read_text())
+    assert values["Time/End"] == "0.5"
+    assert values["Title"] == "Set = 2"
+    assert values["Tissues/flesh/Neo-Hooke/a"] == "2.5"
+    assert values["Tissues/flesh/Neo-Hooke/nu"] == "0.5"
+    assert "Set = 2" in result.log
+    assert result.last()["t"] == 0.5
+    assert result.last()["length"] == pytest.approx(2, abs=1e-9)
+
+
+def test_set_can_choose_what_has_a_section(tmp_path):
+    run_well(BLOCK, tmp_path / "out",
+             ["Linear solver/kept factor/Most iterations=7",
+              "Linear solver/Method=kept factor"])
+    values = outline((tmp_path / "out/parameters.prm").read_text())
+    assert values["Linear solver/kept factor/Most iterations"] == "7"
+
+
+@pytest.mark.parametrize("option", ["--output", "-o"])
+def test_output_wins_over_the_file(option, tmp_path):
+    result = call(BLOCK, option, "here/and there",
+                  "--set", "Output/Folder=elsewhere", folder=tmp_path)
+    assert result.returncode == 0, result.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["here"]
+    folder = tmp_path / "here/and there"
+    assert {"log.txt", "parameters.prm", "segments.csv", "solution.pvd",
+            "steps.csv", "vtu"} <= {path.name for path in folder.iterdir()}
+    assert (folder / "log.txt").read_text() == result.stdout
+
+    result = call(BLOCK, "--set", "Output/Folder=elsewhere", folder=tmp_path)
+    assert result.returncode == 0
+    assert (tmp_path / "elsewhere/segments.csv").exists()
+
+
+@pytest.mark.parametrize("arguments, words", [
+    (["--chek", BLOCK], ["'--chek' is unknown", "--help"]),
+    (["-x", BLOCK], ["'-x' is unknown", "--help"]),
+    ([BLOCK, "--set"], ["'--set' needs a value", "--help"]),
+    ([BLOCK, "-o"], ["'-o' needs a value", "--help"]),
+    ([BLOCK, "-o", ""], ["'--output' needs the name of a folder", "--help"]),
+    ([BLOCK, "--set", "Output/Folder="], ["'' cannot be written", "--output"]),
+    ([], ["No parameter file was given", "--help"]),
+    ([BLOCK, "other.prm"], ["More than one parameter file", "other.prm",
+                            "--help"]),
+    (["none.prm"], ["'none.prm' cannot be read", "path of a .prm file"]),
+    (["."], ["'.' cannot be read", "path of a .prm file"]),
+])
+def test_wrong_command_line(arguments, words, tmp_path):
+    result = call(*arguments, folder=tmp_path)
+    assert result.returncode == 1
+    assert result.stderr.count("lumbricus: ") == 1
+    for word in words:
+        assert word in result.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_include_is_relative_to_the_file_that_includes(tmp_path):
+    deep = tmp_path / "cases" / "deep"
+    deep.mkdir(parents=True)
+    (tmp_path / "cases" / "base.prm").write_text(
+        BLOCK.read_text() + "set Title = base\n")
+    (deep / "middle.prm").write_text(
+        "# A comment may come first.\n\ninclude ../base.prm\n"
+        "set Title = middle # the last one wins\n")
+    (deep / "case.prm").write_text(
+        "include middle.prm # with a comment\n\nsubsection Time\n"
+        "  set End = 0.25\nend\n")
+    result = run_well(deep / "case.prm", tmp_path / "out")
+    assert "middle" in result.log
+    assert result.last()["t"] == 0.25
+
+
+def test_include_has_to_be_at_the_top(tmp_path):
+    case = tmp_path / "case.prm"
+    case.write_text(f"set Title = x\ninclude {BLOCK}\n")
+    result = call(case)
+    assert result.returncode == 1
+    assert f"{case}, line 2: 'include' must come before the first 'set'" in \
+        result.stderr
+
+
+def test_include_of_itself(tmp_path):
+    (tmp_path / "a.prm").write_text("include ../%s/b.prm\n" % tmp_path.name)
+    (tmp_path / "b.prm").write_text("include ./a.prm\n")
+    result = call(tmp_path / "a.prm")
+    assert result.returncode == 1
+    assert "includes itself" in result.stderr
+    assert "a.prm" in result.stderr and len(result.stderr) < 500
+
+
+def test_include_of_a_file_that_does_not_exist(tmp_path):
+    case = tmp_path / "case.prm"
+    case.write_text("include none.prm\n")
+    result = call(case)
+    assert result.returncode == 1
+    assert f"'{tmp_path}/none.prm', which '{case}' includes, cannot be " \
+        "read" in result.stderr
+
+
+@pytest.mark.parametrize("base", ["block.prm", "chain.prm"])
+def test_resolved_parameters_reproduce_the_run(base, tmp_path):
+    first = run_well(HERE / base, tmp_path / "first",
+                     ["Newton/Most iterations=15", "Time/End=0.7"])
+    again = run_well(tmp_path / "first/parameters.prm", tmp_path / "again")
+    tables = [(result.folder / "segments.csv").read_text()
+              for result in (first, again)]
+    assert tables[0] == tables[1]
+    files = [(result.folder / "parameters.prm").read_text()
+             for result in (first, again)]
+    assert files[0] == files[1]
+
+
+def test_two_ranks_speak_once(tmp_path):
+    result = run(BLOCK, tmp_path / "out", options=["--help"], ranks=2)
+    assert result.exit_code == 0 and result.log.count("Usage") == 1
+    result = run(BLOCK, tmp_path / "out", options=["--chek"], ranks=2)
+    assert result.exit_code == 1 and result.message.count("--chek") == 1

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs against closed forms: bars, muscles, springs, a thick tube."""
+import math
+import pathlib
+
+import pytest
+from lumbricus_run import run_well
+
+HERE = pathlib.Path(__file__).parent
+
+
+def bar(folder, settings, ranks):
+    """The half length of the bar over its half length at rest (1 mm)."""
+    result = run_well(HERE / "bar.prm", folder, settings, ranks)
+    return result.last()["length"]
+
+
+def load(name, boundary, kind, **parameters):
+    section = f"Boundary conditions/{name}"
+    return ([f"Boundary conditions/Names={name}",
+             f"{section}/Boundary={boundary}", f"{section}/Type={kind}"]
+            + [f"{section}/{kind}/{key}={value}"
+               for key, value in parameters.items()])
+
+
+MOONEY = ["Tissues/bar/Law=Mooney-Rivlin", "Tissues/bar/Mooney-Rivlin/a=0.2",
+          "Tissues/bar/Mooney-Rivlin/b=0.03"]
+
+
+def muscle(stretch):
+    return ["Tissues/bar/Muscles=m", "Muscles/m/Fibres=longitudinal",
+            "Muscles/m/Active stretch=expression",
+            f"Muscles/m/expression/Formula=1+t*({stretch}-1)"]
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("stretch", [0.5, 0.8, 1.5, 2.5])
+def test_uniaxial_mooney_rivlin(tmp_path, stretch, ranks):
+    # Nominal stress P = sigma / lambda, sigma = (a + b/l)(l^2 - 1/l).
+    a, b = 0.2, 0.03
+    nominal = (a + b / stretch) * (stretch - stretch**-2)
+    settings = MOONEY + load("pull", "x max", "dead traction",
+                             Traction=f"{nominal:.17g}*t; 0; 0")
+    assert bar(tmp_path, settings, ranks) == pytest.approx(stretch, rel=1e-8)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("stretch", [0.6, 0.8, 1.3])
+def test_free_muscle_takes_its_active_length(tmp_path, stretch, ranks):
+    settings = muscle(stretch) + ["Output/Points=0.5, 0.5, 0.5"]
+    result = run_well(HERE / "bar.prm", tmp_path, settings, ranks)
+    assert result.last()["length"] == pytest.approx(stretch, rel=1e-9)
+    point = result.table("points.csv")[-1]
+    assert point["ux"] == pytest.approx(0.5 * (stretch - 1), rel=1e-8)
+    for stress in ("pressure", "sxx", "syy", "szz", "sxy"):
+        assert abs(point[stress]) < 1e-9
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("active", [0.7, 0.9, 1.2])
+def test_held_muscle_pulls(tmp_path, active, ranks):
+    # Held at its rest length: sigma = a (1/l^2 - l).
+    settings = (muscle(active)
+                + load("hold", "x max", "displacement", Components="x")
+                + ["Output/Points=0.5, 0.5, 0.5"])
+    result = run_well(HERE / "bar.prm", tmp_path, settings, ranks)
+    assert result.last()["length"] == pytest.approx(1, rel=1e-12)
+    point = result.table("points.csv")[-1]
+    assert point["sxx"] == pytest.approx(0.23 * (active**-2 - active),
+                                         rel=1e-8)
+    assert abs(point["syy"]) < 1e-9
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_prescribed_displacement(tmp_path, ranks):
+    # sigma = (a + b/l)(l^2 - 1/l) the other way round, and hanging on an
+    # expression of time and place.
+    settings = MOONEY + load("pull", "x max", "displacement", Components="x",
+                             Displacement="0.8*t*x; 0; 0"
+                             ) + ["Output/Points=0.25, 1, 0"]
+    result = run_well(HERE / "bar.prm", tmp_path, settings, ranks)
+    stretch = 1.8
+    sigma = (0.2 + 0.03 / stretch) * (stretch**2 - 1 / stretch)
+    point = result.table("points.csv")[-1]
+    assert point["sxx"] == pytest.approx(sigma, rel=1e-8)
+    assert point["ux"] == pytest.approx(0.25 * 0.8, rel=1e-8)
+    assert point["uy"] == pytest.approx(stretch**-0.5 - 1, rel=1e-8)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_muscle_against_a_spring(tmp_path, ranks):
+    # Active 0.7 against P = -k u: a (l/la^2 - la/l^2) = -k (l - 1).
+    stiffness, active, a = 0.4, 0.7, 0.23
+    settings = muscle(active) + load(
+        "bed", "x max", "spring", Stiffness=stiffness,
+        **{"Only along the normal": "true"})
+    l = bar(tmp_path, settings, ranks)
+    force = a * (l / active**2 - active / l**2) + stiffness * (l - 1)
+    assert abs(force) < 1e-8 * a
+    assert active < l < 1
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_nearly_incompressible_bar(tmp_path, ranks):
+    # nu < 0.5: hydrostatic pressure on all free faces gives J = 1 - p/kappa,
+    # the same in all directions.
+    nu, a, pressure = 0.4, 0.23, 0.1
+    kappa = 2 * a * (1 + nu) / (3 * (1 - 2 * nu))
+    faces = ["x max", "y max", "z max"]
+    settings = [f"Boundary conditions/Names={', '.join(faces)}",
+                f"Tissues/bar/Neo-Hooke/nu={nu}"]
+    for face in faces:
+        settings += load(face, face, "follower pressure",
+                         Pressure=f"{pressure}*t")[1:]
+    assert bar(tmp_path, settings, ranks) == pytest.approx(
+        (1 - pressure / kappa) ** (1 / 3), rel=1e-9)
+
+
+def thick_tube(pressure, mu, inner, outer):
+    """Inner displacement and radial stress of a thick tube in plane strain:
+    d sigma_r/dr = mu (l^2 - l^-2)/r, l = r/R, r^2 = R^2 + c."""
+
+    def drop(c, R0, n=4000):
+        # From R0 to the outside, Simpson's rule over R; dr = R/r dR.
+        def f(R):
+            r2 = R * R + c
+            return mu * (r2 / (R * R) - R * R / r2) * R / r2
+        h = (outer - R0) / n
+        return h / 3 * sum((1 if i in (0, n) else 4 if i % 2 else 2)
+                           * f(R0 + i * h) for i in range(n + 1))
+
+    low, high = 0., (5 * inner)**2
+    for _ in range(80):
+        c = (low + high) / 2
+        low, high = (c, high) if drop(c, inner) < pressure else (low, c)
+    return math.sqrt(inner**2 + c) - inner, lambda R: -drop(c, R)
+
+
+def test_thick_tube(tmp_path):
+    # Within 0.5% on a coarse mesh, and converging as the square of the
+    # element's order at nodes (a factor of 16 at refinement; 8 is asked).
+    exact, radial_stress = thick_tube(150, 200, 7, 18.625)
+    assert exact == pytest.approx(7.1819, abs=1e-4)  # the published value
+
+    errors, stresses = [], []
+    for refinement in range(3):
+        result = run_well(HERE / "tube.prm", tmp_path / str(refinement),
+                          [f"Mesh/Global refinements={refinement}"], ranks=2)
+        inner, within = result.table("points.csv")[-2:]
+        errors.append(abs(inner["uy"] / exact - 1))
+        stresses.append(within["syy"])
+    print("relative errors of the inner displacement:", errors)
+    print("radial stress at R = 8.16:", stresses, "exact:",
+          radial_stress(8.16))
+    assert errors[0] < 0.005
+    assert errors[0] / errors[1] > 8
+    assert errors[1] / errors[2] > 8
+    assert stresses[2] == pytest.approx(radial_stress(8.16), rel=0.01)

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The result does not depend on the number of ranks, nor on whether a quarter,
+a half or the whole of a cross-section is meshed."""
+import math
+import pathlib
+
+import pytest
+from lumbricus_run import run_well
+
+HERE = pathlib.Path(__file__).parent
+
+
+def equal(rows, others, tolerance):
+    assert len(rows) == len(others) > 3
+    for row, other in zip(rows, others):
+        for name, value in row.items():
+            if math.isnan(value):
+                assert math.isnan(other[name])
+                continue
+            scale = max(abs(value), abs(other[name]))
+            # Numbers that are zero but for rounding have no relative error.
+            assert abs(value - other[name]) <= tolerance * scale + 1e-14, (
+                name, row, other)
+
+
+@pytest.mark.parametrize("method", ["direct", "kept factor"])
+def test_one_two_and_four_ranks(tmp_path, method):
+    tables = [run_well(HERE / "chain.prm", tmp_path / str(ranks),
+                       [f"Linear solver/Method={method}"], ranks).segments()
+              for ranks in (1, 2, 4)]
+    equal(tables[0], tables[1], 1e-9)
+    equal(tables[0], tables[2], 1e-9)
+
+
+def test_quarter_half_and_full_section(tmp_path):
+    tables = [run_well(HERE / "chain.prm", tmp_path / section,
+                       [f"Geometry/segment chain/Cross-section={section}"],
+                       ranks=2).segments()
+              for section in ("quarter", "half", "full")]
+    equal(tables[0], tables[1], 1e-7)
+    equal(tables[0], tables[2], 1e-7)
+
+
+def test_global_refinement_converges(tmp_path):
+    # The shape of the chain changes little with refinement (Q2): no mesh
+    # parameter is off by an order.
+    lengths = [run_well(HERE / "chain.prm", tmp_path / str(level),
+                        [f"Mesh/Global refinements={level}"],
+                        ranks=2).last(2)["length"] for level in (0, 1)]
+    assert lengths[1] == pytest.approx(lengths[0], rel=5e-3)

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Parameter files: what they name, what is meant by a name that is not known,
+// and how settings reach nested sections.
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/parameter_file.h>
+#include <lumbricus/core/pattern_words.h>
+#include <lumbricus/core/patterns.h>
+#include <lumbricus/core/prm_scanner.h>
+#include <lumbricus/materials/material_law.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "read_plugin.h"
+
+using namespace lumbricus;
+
+namespace
+{
+  /** A parameter owner with sections two deep, and a choice. */
+  class Owner : public ParameterOwner
+  {
+  public:
+    Owner()
+      : law("Law", "Neo-Hooke", "The law.")
+    {}
+
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override
+    {
+      prm.add_parameter("Title", title);
+      prm.enter_subsection("Outer part");
+      prm.add_parameter("Number", number, "", PositiveNumber());
+      prm.enter_subsection("Inner");
+      prm.add_parameter("Number", inner_number);
+      law.declare_parameters(prm);
+      prm.leave_subsection();
+      prm.leave_subsection();
+    }
+
+    bool
+    extend_parameters(dealii::ParameterHandler &prm,
+                      const Extent              extent) override
+    {
+      prm.enter_subsection("Outer part");
+      prm.enter_subsection("Inner");
+      const bool extended = law.extend_parameters(prm, extent);
+      prm.leave_subsection();
+      prm.leave_subsection();
+      return extended;
+    }
+
+    void
+    check_parameters() const override
+    {
+      within_section("Outer part", [&]() {
+        AssertThrow(number < 100, ExcParameter("Number", "is too large."));
+      });
+    }
+
+    std::string         title;
+    double              number       = 1.;
+    unsigned int        inner_number = 2;
+    Choice<MaterialLaw> law;
+  };
+
+  /** An owner after some settings. */
+  std::unique_ptr<Owner>
+  after(const std::vector<std::string> &settings)
+  {
+    ParameterFile file;
+    for (const std::string &setting : settings)
+      file.set(setting);
+    auto owner = std::make_unique<Owner>();
+    file.parse(*owner);
+    return owner;
+  }
+
+  std::string
+  error_after(const std::vector<std::string> &settings)
+  {
+    return input_error([&]() { after(settings); });
+  }
+} // namespace
+
+
+
+TEST(PrmScanner, FindsEntriesAndSectionsWithTheirLines)
+{
+  const auto                 lines    = scan_prm("# a comment\n"
+                                                 "set Title = a = b # and more\n"
+                                                 "\n"
+                                                 "subsection Outer part\n"
+                                                 "  set Number=3\n"
+                                                 "  SUBSECTION Inner\n"
+                                                 "    SET Number\t = 4\n"
+                                                 "  END\n"
+                                                 "  set After = 5\n"
+                                                 "end\n"
+                                                 "set Last =\n");
+  const std::vector<PrmLine> expected = {{2, "Title", false},
+                                         {4, "Outer part", true},
+                                         {5, "Outer part/Number", false},
+                                         {6, "Outer part/Inner", true},
+                                         {7, "Outer part/Inner/Number", false},
+                                         {9, "Outer part/After", false},
+                                         {11, "Last", false}};
+  ASSERT_EQ(lines.size(), expected.size());
+  for (unsigned int i = 0; i < lines.size(); ++i)
+    {
+      EXPECT_EQ(lines[i].number, expected[i].number);
+      EXPECT_EQ(lines[i].path, expected[i].path);
+      EXPECT_EQ(lines[i].is_section, expected[i].is_section);
+    }
+}
+
+
+
+TEST(PrmScanner, LinesThatGoOnAreValuesWhateverTheySay)
+{
+  const auto lines = scan_prm("set List = 1, \\\n"
+                              "set this = 2, \\\n"
+                              "end\n"
+                              "set Next = 1\n");
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].path, "List");
+  EXPECT_EQ(lines[0].number, 1u);
+  EXPECT_EQ(lines[1].path, "Next");
+  EXPECT_EQ(lines[1].number, 4u);
+}
+
+
+
+TEST(PrmScanner, SurvivesTooManyEnds)
+{
+  const auto lines = scan_prm("end\nend\nset A = 1\n");
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].path, "A");
+}
+
+
+
+TEST(PrmScanner, SplitsPaths)
+{
+  EXPECT_EQ(split_path("Outer part/Inner/Number"),
+            (std::vector<std::string>{"Outer part", "Inner", "Number"}));
+  EXPECT_EQ(split_path("Title"), (std::vector<std::string>{"Title"}));
+  EXPECT_EQ(split_path(" Outer part / Number "),
+            (std::vector<std::string>{"Outer part", "Number"}));
+}
+
+
+
+TEST(PrmScanner, NearestIsWhatWasMeant)
+{
+  const std::vector<std::string> names = {"Radius",
+                                          "Segment length",
+                                          "Wall layers",
+                                          "End"};
+  EXPECT_EQ(nearest("Radios", names), "Radius");
+  EXPECT_EQ(nearest("radius", names), "Radius");
+  EXPECT_EQ(nearest("Segment lenght", names), "Segment length");
+  EXPECT_EQ(nearest("Wall layer", names), "Wall layers");
+  EXPECT_EQ(nearest("Ende", names), "End");
+  EXPECT_EQ(nearest("Gravity", names), "");
+  EXPECT_EQ(nearest("Radius", {}), "");
+  // The nearer of two.
+  EXPECT_EQ(nearest("Time", {"Tile", "Times", "time"}), "time");
+}
+
+
+
+TEST(PatternWords, SayWhatIsAllowed)
+{
+  namespace Patterns = dealii::Patterns;
+  const auto words   = [](const Patterns::PatternBase &pattern) {
+    return pattern_in_words(pattern.description());
+  };
+  EXPECT_EQ(words(PositiveNumber()), "a number > 0");
+  EXPECT_EQ(words(Patterns::Double()), "a number");
+  EXPECT_EQ(words(Patterns::Double(0, 0.5)), "a number from 0 to 0.5");
+  EXPECT_EQ(words(Patterns::Double(-1)), "a number, at least -1");
+  EXPECT_EQ(words(Patterns::Integer()), "a whole number");
+  EXPECT_EQ(words(Patterns::Integer(1)), "a whole number, at least 1");
+  EXPECT_EQ(words(Patterns::Integer(1, 9)), "a whole number from 1 to 9");
+  EXPECT_EQ(words(Patterns::Bool()), "true or false");
+  EXPECT_EQ(words(Patterns::Selection("a b|c|")), "one of 'a b', 'c'");
+  EXPECT_EQ(words(Patterns::MultipleSelection("x|y")),
+            "a list out of 'x', 'y'");
+  EXPECT_EQ(words(Patterns::List(PositiveNumber(), 3, 3)),
+            "a list of 3 entries, each a number > 0");
+  EXPECT_EQ(words(Patterns::List(Patterns::Integer(1), 1, 4)),
+            "a list of entries, each a whole number, at least 1");
+  EXPECT_EQ(words(Patterns::Anything()), "[Anything]");
+}
+
+
+
+TEST(ParameterFile, SettingsReachNestedSectionsAndTheLastWins)
+{
+  const auto owner = after({"Title=a = b",
+                            "Outer part/Number=2.5",
+                            "Outer part/Inner/Number = 7",
+                            "Outer part/Number=3",
+                            "Outer part/Inner/Neo-Hooke/a=4"});
+  EXPECT_EQ(owner->title, "a = b");
+  EXPECT_EQ(owner->number, 3.);
+  EXPECT_EQ(owner->inner_number, 7u);
+  EXPECT_EQ(owner->law->shear_modulus(), 4.);
+}
+
+
+
+TEST(ParameterFile, ChoicesOpenTheirSections)
+{
+  const auto owner = after({"Outer part/Inner/Mooney-Rivlin/a=4",
+                            "Outer part/Inner/Mooney-Rivlin/b=5",
+                            "Outer part/Inner/Law=Mooney-Rivlin"});
+  EXPECT_EQ(owner->law->shear_modulus(), 9.);
+
+  const std::string message =
+    error_after({"Outer part/Inner/Mooney-Rivlin/a=4"});
+  EXPECT_TRUE(contains(message, "'Outer part/Inner/Law' is 'Neo-Hooke'"))
+    << message;
+  EXPECT_TRUE(contains(message, "Choose 'Mooney-Rivlin' there")) << message;
+}
+
+
+
+TEST(ParameterFile, ErrorsNameTheWholePath)
+{
+  const std::vector<std::array<std::string, 3>> cases = {
+    {{"Outer part/Inner/Numbr=1",
+      "'Outer part/Inner/Numbr' is unknown",
+      "Did you mean 'Outer part/Inner/Number'?"}},
+    {{"Outer part/Iner/Number=1",
+      "'Outer part/Iner' is unknown",
+      "Did you mean 'Outer part/Inner'?"}},
+    {{"Outer part/Inner/Number=x",
+      "'Outer part/Inner/Number' is 'x'",
+      "a whole number"}},
+    {{"Outer part/Number=-1", "'Outer part/Number' is '-1'", "a number > 0"}},
+    {{"Outer part/Number=", "'Outer part/Number' is ''", "a number > 0"}},
+    {{"Outer part/Number=101", "'Outer part/Number' is too large", ""}},
+    {{"Outer part/Inner/Law=rubber",
+      "'Outer part/Inner/Law' is 'rubber'",
+      "'Mooney-Rivlin', 'Neo-Hooke'"}},
+    {{"Title", "'Title'", "Section/Name=value"}}};
+  for (const auto &[setting, what, way_out] : cases)
+    {
+      const std::string message = error_after({setting});
+      EXPECT_TRUE(contains(message, what)) << message;
+      EXPECT_TRUE(contains(message, way_out)) << message;
+    }
+}
+
+
+
+TEST(ParameterFile, ResolvedParametersHaveTheValuesOfTheRun)
+{
+  ParameterFile file;
+  file.set("Outer part/Inner/Number=9");
+  Owner owner;
+  file.parse(owner);
+  std::ostringstream out;
+  file.print_resolved(out);
+  EXPECT_TRUE(contains(out.str(), "set Number = 9")) << out.str();
+  EXPECT_FALSE(contains(out.str(), "Mooney-Rivlin/")) << out.str();
+
+  // The reference has all there is.
+  Owner              fresh;
+  std::ostringstream all;
+  ParameterFile::print_reference(fresh, all);
+  EXPECT_TRUE(contains(all.str(), "subsection Mooney-Rivlin")) << all.str();
+}
