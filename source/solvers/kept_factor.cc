@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/registry.h>
 #include <lumbricus/solvers/linear_solver.h>
 #include <lumbricus/solvers/mumps.h>
@@ -47,11 +48,17 @@ namespace lumbricus
     {
       if (factors == nullptr)
         factor();
-      if (!iterate(x, b, tolerance) && !fresh)
+      bool converged = iterate(x, b, tolerance);
+      if (!converged && !fresh)
         {
           factor();
-          iterate(x, b, tolerance);
+          converged = iterate(x, b, tolerance);
         }
+      AssertThrow(converged,
+                  ExcNotConverged("The linear solver does not reach its "
+                                  "tolerance in " +
+                                  std::to_string(most_iterations) +
+                                  " iterations, even with new factors"));
       ++counts.n_solves;
     }
 

@@ -74,9 +74,12 @@ def test_full_resets_lose_volume_and_isochoric_ones_do_not(tmp_path, ranks):
         result = run_well(HERE / "segment.prm", folder,
                           [f"Reset/Mode={mode}",
                            f"Tissues/liquid/Neo-Hooke/nu={nu}",
-                           "Reset/Pressure floor=1e-5"], ranks)
-        rows = result.segments()
-        return abs(rows[-1]["fluid_volume"] / rows[0]["fluid_volume"] - 1)
+                           "Reset/Pressure floor=1e-5",
+                           # The drift of full resets is a floor on how
+                           # hydrostatic the liquid can become.
+                           "Reset/Tolerance=0.02"], ranks)
+        volumes = [row["fluid_volume"] for row in result.segments()]
+        return max(abs(volume / volumes[0] - 1) for volume in volumes)
 
     assert drift("isochoric", 0.5) < 1e-12
     assert drift("full", 0.5) < 1e-12

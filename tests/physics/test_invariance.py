@@ -23,13 +23,20 @@ def equal(rows, others, tolerance):
                 name, row, other)
 
 
-@pytest.mark.parametrize("method", ["direct", "kept factor"])
-def test_one_two_and_four_ranks(tmp_path, method):
+def test_one_two_and_four_ranks(tmp_path):
     tables = [run_well(HERE / "chain.prm", tmp_path / str(ranks),
-                       [f"Linear solver/Method={method}"], ranks).segments()
-              for ranks in (1, 2, 4)]
+                       ranks=ranks).segments() for ranks in (1, 2, 4)]
     equal(tables[0], tables[1], 1e-9)
     equal(tables[0], tables[2], 1e-9)
+
+
+def test_one_and_two_ranks_and_the_other_solver(tmp_path):
+    tables = [run_well(HERE / "chain.prm", tmp_path / f"{method}{ranks}",
+                       [f"Linear solver/Method={method}"], ranks).segments()
+              for method, ranks in (("kept factor", 1), ("direct", 1),
+                                    ("direct", 2))]
+    equal(tables[0], tables[1], 1e-8)
+    equal(tables[1], tables[2], 1e-9)
 
 
 def test_quarter_half_and_full_section(tmp_path):
