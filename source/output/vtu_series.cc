@@ -53,12 +53,12 @@ namespace lumbricus
     flags.time                     = state.time;
     flags.cycle                    = times_and_names.size();
     data_out.set_flags(flags);
+    data_out.attach_triangulation(space.triangulation);
     data_out.add_data_vector(space.dof_handler, relevant, names, kinds);
     data_out.add_data_vector(cell_fields.dof_handler(),
                              cell_fields.values(),
                              cell_fields.names(),
                              cell_fields.interpretations());
-    data_out.attach_triangulation(space.triangulation);
     data_out.add_data_vector(segment, "segment");
     data_out.add_data_vector(tissue, "tissue");
     data_out.add_data_vector(owner, "rank");
