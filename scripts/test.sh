@@ -3,8 +3,10 @@
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 
 install_missing "${build_packages[@]}" "${test_packages[@]}"
-build Release -DLUMBRICUS_WERROR=ON
-build Debug -DLUMBRICUS_WERROR=ON
+# The Python that the packages above are for.
+options=(-DLUMBRICUS_WERROR=ON -DPython3_EXECUTABLE=/usr/bin/python3)
+build Release "${options[@]}"
+build Debug "${options[@]}"
 export CTEST_OUTPUT_ON_FAILURE=1
 (cd "$repository/build-Debug" && ctest -L debug)
 (cd "$repository/build-Release" && ctest)
