@@ -141,6 +141,7 @@ namespace lumbricus
       {
         const unsigned int i       = cell_index++;
         const unsigned int tissue  = Region::of(cell->material_id()).tissue;
+        const bool         liquid  = anatomy.is_liquid(tissue);
         const auto        &law     = anatomy.tissue(tissue).law();
         const auto        &muscles = anatomy.muscles_of(tissue);
 
@@ -163,9 +164,10 @@ namespace lumbricus
             point.add(p);
             point.add(dealii::Tensor<2, dim>(sigma));
             point.add(J);
-            point.add(
-              dealii::deviator(sigma).norm() /
-              std::max(std::abs(p), std::numeric_limits<double>::min()));
+            point.add(liquid ? dealii::deviator(sigma).norm() /
+                                 std::max(std::abs(p),
+                                          std::numeric_limits<double>::min()) :
+                               0.);
             for (unsigned int m = 0; m < anatomy.n_muscles(); ++m)
               {
                 const auto here =

@@ -63,9 +63,15 @@ namespace lumbricus
       std::ostringstream message;
       message << "Newton's method " << why << " after " << history.size()
               << " iterations";
-      if (!history.empty())
-        message << " (force residual " << history.back().residual.force
-                << ", increment " << history.back().increment << ")";
+      // Where an element is inverted there is no residual to speak of.
+      const auto last = std::find_if(history.rbegin(),
+                                     history.rend(),
+                                     [](const NewtonIteration &iteration) {
+                                       return iteration.residual.valid;
+                                     });
+      if (last != history.rend())
+        message << " (last force residual " << last->residual.force
+                << ", increment " << last->increment << ")";
       message << "; " << problem.locate_trouble(where);
       AssertThrow(false, ExcNotConverged(message.str()));
     };
