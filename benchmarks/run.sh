@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Build Release and run a benchmark, a folder beside this script:
+#
+#   benchmarks/run.sh NAME [ARGUMENTS]
+#
+# It prints its table as Markdown; the runs themselves go to results/NAME.
+source "$(dirname "${BASH_SOURCE[0]}")/../scripts/environment.sh"
+
+name=${1:?"usage: benchmarks/run.sh NAME, one of: $(cd "$repository/benchmarks" && echo */)"}
+install_missing "${build_packages[@]}" "${test_packages[@]}"
+build Release >&2
+export LUMBRICUS="$repository/build-Release/lumbricus" MPIRUN=mpirun
+export PYTHONPATH="$repository/tests" PYTHONDONTWRITEBYTECODE=1
+mkdir -p "$repository/results/$name"
+cd "$repository/results/$name"
+exec /usr/bin/python3 "$repository/benchmarks/$name/benchmark.py" "${@:2}"
