@@ -5,6 +5,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <iostream>
+#include <sstream>
 #include <streambuf>
 
 namespace lumbricus
@@ -98,5 +99,15 @@ namespace lumbricus
   {
     parser->set_time(t);
     return parser->value(x);
+  }
+
+
+
+  std::string
+  point_text(const dealii::Point<dim> &X)
+  {
+    std::ostringstream text;
+    text << '(' << X[0] << ", " << X[1] << ", " << X[2] << ')';
+    return text.str();
   }
 } // namespace lumbricus

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/assembler.h>
+#include <lumbricus/discretization/same_cell.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/grid/filtered_iterator.h>
@@ -45,9 +46,17 @@ namespace lumbricus
   void
   Assembler::reinit()
   {
+    // The rows this rank writes to: its own, those of its ghosts, and what
+    // these hang on.
+    dealii::IndexSet writable = space.locally_relevant;
+    for (const auto &line : supports.constraints().get_lines())
+      for (const auto &[index, weight] : line.entries)
+        writable.add_index(index);
+    writable.compress();
+
     dealii::TrilinosWrappers::SparsityPattern pattern(space.locally_owned,
                                                       space.locally_owned,
-                                                      space.locally_relevant,
+                                                      writable,
                                                       space.communicator());
     dealii::DoFTools::make_sparsity_pattern(
       space.dof_handler,
@@ -229,7 +238,7 @@ namespace lumbricus
         if (!any)
           continue;
 
-        face_values.reinit(cell, face);
+        face_values.reinit(mesh_cell(cell), face);
         for (const unsigned int q : face_values.quadrature_point_indices())
           {
             SurfacePoint point;

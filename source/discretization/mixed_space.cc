@@ -4,11 +4,30 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgp.h>
 #include <deal.II/fe/fe_dgq.h>
+#include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_tools.h>
+#include <deal.II/grid/filtered_iterator.h>
 
 namespace lumbricus
 {
+  namespace
+  {
+    dealii::FESystem<dim>
+    separate_fe(const bool liquid)
+    {
+      const dealii::FE_Q<dim>       displacement(MixedSpace::degree);
+      const dealii::FE_Nothing<dim> nothing;
+      const dealii::FE_DGP<dim>     pressure(MixedSpace::degree - 1);
+      return liquid ? dealii::FESystem<dim>(
+                        nothing, dim, displacement, dim, pressure, 1) :
+                      dealii::FESystem<dim>(
+                        displacement, dim, nothing, dim, pressure, 1);
+    }
+  } // namespace
+
+
+
   MixedSpace::MixedSpace(const dealii::Triangulation<dim> &triangulation)
     : triangulation(triangulation)
     , fe(dealii::FE_Q<dim>(degree), dim, dealii::FE_DGP<dim>(degree - 1), 1)
@@ -20,6 +39,8 @@ namespace lumbricus
     , mapping(degree)
     , dof_handler(triangulation)
     , rest_dof_handler(triangulation)
+    , shape(degree)
+    , separate_fes(separate_fe(false), separate_fe(true))
   {
     const auto lexicographic =
       dealii::FETools::hierarchic_to_lexicographic_numbering<dim>(degree);
@@ -36,19 +57,54 @@ namespace lumbricus
         }
     for (unsigned int m = 0; m < n_pressure_modes; ++m)
       pressure_dof[m] = fe.component_to_system_index(dim, m);
+
+    // Wall and liquid have the first and the second three components.
+    for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+      {
+        const auto [c, n] = fe.system_to_component_index(i);
+        for (const unsigned int liquid : {0, 1})
+          {
+            const auto &separate = separate_fes[liquid];
+            (void)c, (void)n, (void)separate;
+            AssertDimension(separate.n_dofs_per_cell(), fe.n_dofs_per_cell());
+            AssertDimension(separate.system_to_component_index(i).first,
+                            c == dim ? 2 * dim : c + liquid * dim);
+            AssertDimension(separate.system_to_component_index(i).second, n);
+          }
+      }
   }
 
 
 
   void
-  MixedSpace::distribute_dofs()
+  MixedSpace::distribute_dofs(const Separate &separate)
   {
-    mapping.initialize(dealii::MappingQ<dim>(degree), triangulation);
-    dof_handler.distribute_dofs(fe);
+    mapping.initialize(
+      triangulation,
+      [this](const dealii::Triangulation<dim>::cell_iterator &cell) {
+        return shape.points(cell);
+      });
+    if (separate)
+      {
+        for (const auto &cell : dof_handler.active_cell_iterators() |
+                                  dealii::IteratorFilters::LocallyOwnedCell())
+          cell->set_active_fe_index(separate(cell->material_id()));
+        dof_handler.distribute_dofs(separate_fes);
+      }
+    else
+      dof_handler.distribute_dofs(fe);
     rest_dof_handler.distribute_dofs(rest_fe);
     locally_owned = dof_handler.locally_owned_dofs();
     dealii::DoFTools::extract_locally_relevant_dofs(dof_handler,
                                                     locally_relevant);
+  }
+
+
+
+  void
+  MixedSpace::set_finest_curved_level(const unsigned int level)
+  {
+    shape.set_finest_curved_level(level);
   }
 
 

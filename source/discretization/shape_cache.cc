@@ -36,7 +36,7 @@ namespace lumbricus
   void
   ShapeCache::reinit()
   {
-    const auto owned_cells = space.dof_handler.active_cell_iterators() |
+    const auto owned_cells = space.triangulation.active_cell_iterators() |
                              dealii::IteratorFilters::LocallyOwnedCell();
     unsigned int n_cells = 0;
     for (const auto &cell : owned_cells)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/discretization/rigid_motions.h>
+#include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/discretization/supports.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 #include <utility>
 
 namespace lumbricus
@@ -26,11 +28,14 @@ namespace lumbricus
 
 
   Supports::Supports(const MixedSpace         &space,
-                     const Geometry           &geometry,
+                     const Anatomy            &anatomy,
+                     const InterfaceCoupling  &coupling,
                      const BoundaryConditions &conditions)
     : space(space)
-    , geometry(geometry)
+    , anatomy(anatomy)
+    , geometry(anatomy.geometry())
     , conditions(conditions)
+    , interface(space, anatomy, coupling)
   {}
 
 
@@ -38,13 +43,61 @@ namespace lumbricus
   void
   Supports::reinit()
   {
-    increments.reinit(space.locally_relevant);
-    dealii::DoFTools::make_hanging_node_constraints(space.dof_handler,
-                                                    increments);
+    base.clear();
+    base.reinit(space.locally_relevant);
+    dealii::DoFTools::make_hanging_node_constraints(space.dof_handler, base);
     prescribed.clear();
     prescribe_boundaries();
-    hold_rigid_motions();
+    interface.reinit();
+
+    auto motions = held_motions();
+    hold_wall(motions[0]);
+    for (unsigned int s = 0; s + 1 < motions.size(); ++s)
+      hold_liquid(motions[s + 1], s);
+    close();
+  }
+
+
+
+  bool
+  Supports::renew_interface(const Vector &solution)
+  {
+    if (!interface.follows_the_deformation())
+      return false;
+    interface.update_normals(solution);
+    close();
+    return true;
+  }
+
+
+
+  void
+  Supports::close()
+  {
+    // Closing eliminates what hangs on other constrained unknowns, so it is to
+    // be done anew with every change.
+    increments.clear();
+    increments.copy_from(base);
+    if (interface.exists())
+      {
+        interface.add_constraints(increments);
+        // Chains over nodes of other ranks are made complete.
+        increments.make_consistent_in_parallel(space.locally_owned,
+                                               space.locally_relevant,
+                                               space.communicator());
+      }
     increments.close();
+  }
+
+
+
+  unsigned int
+  Supports::body_of(const dealii::types::material_id id) const
+  {
+    const Region region = Region::of(id);
+    return interface.exists() && anatomy.is_liquid(region.tissue) ?
+             region.segment + 1 :
+             0;
   }
 
 
@@ -83,12 +136,13 @@ namespace lumbricus
                 {
                   const unsigned int i = space.displacement_dof[c][n];
                   if (!space.fe.has_support_on_face(i, f) ||
-                      increments.is_constrained(indices[i]))
+                      base.is_constrained(indices[i]))
                     continue;
-                  increments.add_line(indices[i]);
+                  base.add_line(indices[i]);
                   prescribed.push_back(
                     {indices[i],
                      c,
+                     body_of(cell->material_id()),
                      space.mapping.transform_unit_to_real_cell(
                        cell, space.fe.unit_support_point(i)),
                      condition});
@@ -99,15 +153,21 @@ namespace lumbricus
 
 
 
-  void
-  Supports::hold_rigid_motions()
+  std::vector<RigidMotions>
+  Supports::held_motions() const
   {
-    const auto   points = geometry.support_points();
-    const double L      = geometry.characteristic_length();
-    RigidMotions motions(points[0], L);
+    const auto                points = geometry.support_points();
+    const double              L      = geometry.characteristic_length();
+    std::vector<RigidMotions> motions(interface.exists() ?
+                                        geometry.n_segments() + 1 :
+                                        1,
+                                      RigidMotions(points[0], L));
 
     for (const Prescribed &entry : prescribed)
-      motions.hold(entry.X, unit_vector(entry.component));
+      motions[entry.body].hold(entry.X, unit_vector(entry.component));
+    for (const SlipInterface::NodePair &pair : interface.pairs())
+      for (const auto &normal : interface.normals(pair))
+        motions[pair.segment + 1].hold(pair.X, normal / normal.norm());
 
     dealii::FEFaceValues<dim> face_values(space.mapping,
                                           space.fe,
@@ -121,38 +181,34 @@ namespace lumbricus
           for (const BoundaryCondition *condition :
                conditions.on_boundary(face->boundary_id()))
             {
-              face_values.reinit(cell, face);
+              face_values.reinit(mesh_cell(cell), face);
               for (const unsigned int q :
                    face_values.quadrature_point_indices())
                 for (const auto &direction : condition->elastic_directions(
                        face_values.normal_vector(q)))
-                  motions.hold(face_values.quadrature_point(q), direction);
+                  motions[body_of(cell->material_id())].hold(
+                    face_values.quadrature_point(q), direction);
             }
-    motions.merge(space.communicator());
+    for (RigidMotions &of_body : motions)
+      of_body.merge(space.communicator());
+    return motions;
+  }
 
+
+
+  void
+  Supports::hold_wall(RigidMotions &motions)
+  {
     if (conditions.minimal_support())
       {
         // The statically determinate support: A in x, y, z; B in y, z; C in y,
         // as far as nothing holds these motions yet. The same on all ranks.
+        const auto points = geometry.support_points();
         const std::pair<unsigned int, unsigned int> candidates[] = {
           {0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 1}};
         for (const auto &[point, direction] : candidates)
-          {
-            if (!motions.hold(points[point], unit_vector(direction)))
-              continue;
-            for (const auto &cell : space.dof_handler.active_cell_iterators())
-              for (const unsigned int v : cell->vertex_indices())
-                {
-                  if (cell->is_artificial() ||
-                      cell->vertex(v).distance(points[point]) > 1e-8 * L)
-                    continue;
-                  const auto i = cell->vertex_dof_index(v, direction);
-                  if (increments.is_constrained(i))
-                    continue;
-                  increments.add_line(i);
-                  prescribed.push_back({i, direction, points[point], nullptr});
-                }
-          }
+          if (motions.hold(points[point], unit_vector(direction)))
+            hold_vertex(points[point], direction, 0);
       }
 
     AssertThrow(motions.all_held(),
@@ -161,6 +217,82 @@ namespace lumbricus
                   ". Set 'Boundary conditions/Minimal support' to true, "
                   "or add a condition of type 'displacement' or "
                   "'spring' that holds it."));
+  }
+
+
+
+  void
+  Supports::hold_liquid(RigidMotions &motions, const unsigned int segment)
+  {
+    // What the wall leaves free of a liquid that slips is a spin about the
+    // axis of a full cross-section, and to move out of an open tube. One
+    // vertex inside holds both; which one is the same on any number of ranks.
+    std::set<dealii::types::global_dof_index> on_interface;
+    for (const SlipInterface::NodePair &pair : interface.pairs())
+      on_interface.insert(pair.liquid[0]);
+
+    std::vector<dealii::Point<dim>> candidates(1);
+    for (const auto &cell : space.dof_handler.active_cell_iterators() |
+                              dealii::IteratorFilters::LocallyOwnedCell())
+      if (body_of(cell->material_id()) == segment + 1)
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const auto i =
+              cell->vertex_dof_index(v, 0, cell->active_fe_index());
+            const auto &X    = cell->vertex(v);
+            const auto &best = candidates[0];
+            if (on_interface.count(i) == 0 && !base.is_constrained(i) &&
+                std::make_tuple(X[1], X[2], X[0]) >
+                  std::make_tuple(best[1], best[2], best[0]))
+              candidates[0] = X;
+          }
+    candidates =
+      dealii::Utilities::MPI::all_gather(space.communicator(), candidates[0]);
+    const auto X =
+      *std::max_element(candidates.begin(),
+                        candidates.end(),
+                        [](const auto &a, const auto &b) {
+                          return std::make_tuple(a[1], a[2], a[0]) <
+                                 std::make_tuple(b[1], b[2], b[0]);
+                        });
+
+    if (conditions.minimal_support())
+      for (unsigned int direction = 0; direction < dim; ++direction)
+        if (motions.hold(X, unit_vector(direction)))
+          hold_vertex(X, direction, segment + 1);
+
+    AssertThrow(motions.all_held(),
+                ExcInput("The liquid of segment " +
+                         std::to_string(segment + 1) +
+                         ", which slips along the wall, can still move "
+                         "rigidly: " +
+                         motions.free_motions() +
+                         ". Set 'Boundary conditions/Minimal support' to true, "
+                         "or add a condition of type 'displacement' or "
+                         "'spring' that holds it."));
+  }
+
+
+
+  void
+  Supports::hold_vertex(const dealii::Point<dim> &X,
+                        const unsigned int        direction,
+                        const unsigned int        body)
+  {
+    const double tolerance = 1e-8 * geometry.characteristic_length();
+    for (const auto &cell : space.dof_handler.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        {
+          if (cell->is_artificial() || body_of(cell->material_id()) != body ||
+              cell->vertex(v).distance(X) > tolerance)
+            continue;
+          const auto i =
+            cell->vertex_dof_index(v, direction, cell->active_fe_index());
+          if (base.is_constrained(i))
+            continue;
+          base.add_line(i);
+          prescribed.push_back({i, direction, body, X, nullptr});
+        }
   }
 
 
@@ -183,9 +315,10 @@ namespace lumbricus
                                                    entry.X,
                                                    t) -
           relevant(entry.index);
-        increments.set_inhomogeneity(entry.index, missing);
+        base.set_inhomogeneity(entry.index, missing);
         largest = std::max(largest, std::abs(missing));
       }
+    close();
     return dealii::Utilities::MPI::max(largest, space.communicator());
   }
 
@@ -195,7 +328,8 @@ namespace lumbricus
   Supports::set_increments_to_zero()
   {
     for (const Prescribed &entry : prescribed)
-      increments.set_inhomogeneity(entry.index, 0.);
+      base.set_inhomogeneity(entry.index, 0.);
+    close();
   }
 
 

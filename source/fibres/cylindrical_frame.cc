@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/expression.h>
 #include <lumbricus/fibres/cylindrical_frame.h>
 
 #include <cmath>
@@ -33,15 +34,5 @@ namespace lumbricus
     frame.e_theta[1] = -frame.e_r[2];
     frame.e_theta[2] = frame.e_r[1];
     return frame;
-  }
-
-
-
-  std::string
-  point_text(const dealii::Point<dim> &X)
-  {
-    std::ostringstream text;
-    text << '(' << X[0] << ", " << X[1] << ", " << X[2] << ')';
-    return text.str();
   }
 } // namespace lumbricus

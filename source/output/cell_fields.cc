@@ -69,6 +69,7 @@ namespace lumbricus
     , references(references)
     , fields_dof_handler(space.triangulation)
   {
+    add("displacement", Interpretation::component_is_part_of_vector, dim);
     add("pressure", Interpretation::component_is_scalar, 1);
     add("cauchy_stress",
         Interpretation::component_is_part_of_tensor,
@@ -81,6 +82,8 @@ namespace lumbricus
         add("fibre_" + name, Interpretation::component_is_part_of_vector, dim);
         add("active_stretch_" + name, Interpretation::component_is_scalar, 1);
       }
+
+    add("pressure_unknown", Interpretation::component_is_scalar, 1);
 
     const dealii::FE_DGQ<dim> scalar(MixedSpace::degree);
     fe =
@@ -151,16 +154,17 @@ namespace lumbricus
           {
             const auto  &F = kernel.F[q];
             const double J = determinant(F);
-            law.evaluate(F,
-                         kernel.pressure(shapes.pressure_modes(), q),
-                         references.cell(i)[q],
-                         false,
-                         response);
+            const double pressure_unknown =
+              kernel.pressure(shapes.pressure_modes(), q);
+            law.evaluate(
+              F, pressure_unknown, references.cell(i)[q], false, response);
             const auto sigma =
               dealii::symmetrize(response.P * dealii::transpose(F) / J);
             const double p = -trace(sigma) / dim;
 
             PointValues point(values[q]);
+            for (unsigned int c = 0; c < dim; ++c)
+              point.add(kernel.displacement(shapes.node_values(), q, c));
             point.add(p);
             point.add(dealii::Tensor<2, dim>(sigma));
             point.add(J);
@@ -184,6 +188,7 @@ namespace lumbricus
                 point.add(f / f.norm());
                 point.add(fibre.lambda);
               }
+            point.add(pressure_unknown);
           }
 
         same_cell(cell, fields_dof_handler)->get_dof_indices(field_indices);

@@ -14,8 +14,9 @@ namespace lumbricus
 {
   namespace
   {
-    // What is written of a point: displacement, pressure, stress, J.
-    constexpr unsigned int n_fields = 1 + dim * dim + 1;
+    // What is written of a point, the first of CellFields: displacement,
+    // pressure, stress, J.
+    constexpr unsigned int n_values = dim + 1 + dim * dim + 1;
   } // namespace
 
 
@@ -141,41 +142,26 @@ namespace lumbricus
   {
     if (empty())
       return;
-    const MPI_Comm comm = space.communicator();
-    Vector         relevant(space.locally_owned, space.locally_relevant, comm);
-    relevant = state.solution;
+    const auto &fields = cell_fields.dof_handler();
+    const auto &fe     = fields.get_fe();
+    std::vector<dealii::types::global_dof_index> indices(fe.n_dofs_per_cell());
 
-    constexpr unsigned int n_values = dim + n_fields;
-    std::vector<double>    values(points.size() * n_values, 0.);
+    std::vector<double> values(points.size() * n_values, 0.);
     for (unsigned int k = 0; k < points.size(); ++k)
       {
         if (!places[k].mine)
           continue;
-        const auto add_fields = [&](const dealii::DoFHandler<dim> &dof_handler,
-                                    const Vector                  &vector,
-                                    const unsigned int             n_components,
-                                    double                        *result) {
-          const auto  cell = same_cell(places[k].cell, dof_handler);
-          const auto &fe   = dof_handler.get_fe();
-          std::vector<dealii::types::global_dof_index> indices(
-            fe.n_dofs_per_cell());
-          cell->get_dof_indices(indices);
-          for (unsigned int i = 0; i < indices.size(); ++i)
-            {
-              const unsigned int c = fe.system_to_component_index(i).first;
-              if (c < n_components)
-                result[c] +=
-                  vector(indices[i]) * fe.shape_value(i, places[k].unit_point);
-            }
-        };
-        double *point_values = &values[k * n_values];
-        add_fields(space.dof_handler, relevant, dim, point_values);
-        add_fields(cell_fields.dof_handler(),
-                   cell_fields.values(),
-                   n_fields,
-                   point_values + dim);
+        same_cell(places[k].cell, fields)->get_dof_indices(indices);
+        for (unsigned int i = 0; i < indices.size(); ++i)
+          {
+            const unsigned int c = fe.system_to_component_index(i).first;
+            if (c < n_values)
+              values[k * n_values + c] +=
+                cell_fields.values()(indices[i]) *
+                fe.shape_value(i, places[k].unit_point);
+          }
       }
-    dealii::Utilities::MPI::sum(values, comm, values);
+    dealii::Utilities::MPI::sum(values, space.communicator(), values);
 
     for (unsigned int k = 0; k < points.size(); ++k)
       {

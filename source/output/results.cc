@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/section_measures.h>
 #include <lumbricus/output/results.h>
-#include <lumbricus/output/section_measures.h>
 
 namespace lumbricus
 {
-  StepRecord::StepRecord(const unsigned int n_segments)
-    : n_resets(n_segments, 0)
-    , divergence(n_segments, 0.)
-  {}
-
-
-
-  void
-  StepRecord::take(const ResetIteration::Report &report)
+  namespace
   {
-    n_solves            = report.newton.size();
-    n_newton_iterations = report.n_newton_iterations();
-    n_resets            = report.n_resets;
-    divergence          = report.divergence;
-    newton              = report.newton;
-  }
+    // The columns that segments.csv and resets.csv share.
+    void
+    add_segment(CsvTable                    &table,
+                const ResetIteration::Solve &solve,
+                const unsigned int           s)
+    {
+      table << solve.measures[s].length << solve.measures[s].mid_radius
+            << solve.segments[s].liquid_volume << solve.segments[s].wall_volume
+            << solve.segments[s].mean_pressure() << solve.divergence[s];
+    }
+  } // namespace
 
 
 
@@ -47,6 +44,19 @@ namespace lumbricus
                 "eta",
                 "resets"},
                space.communicator())
+    , resets(folder,
+             "resets.csv",
+             {"t",
+              "reset",
+              "segment",
+              "length",
+              "mid_radius",
+              "fluid_volume",
+              "wall_volume",
+              "fluid_pressure",
+              "eta",
+              "largest_deviator"},
+             space.communicator())
     , steps(folder,
             "steps.csv",
             {"step",
@@ -82,8 +92,13 @@ namespace lumbricus
   void
   Results::write(const State &state, const StepRecord &step)
   {
-    write_segments(state, step);
+    if (step.report.solves.empty())
+      write_segments(state.time, at_rest(state));
+    else
+      write_segments(state.time, step.report);
+    write_resets(state.time, step.report);
     write_steps(step);
+    write_newton(step);
 
     const bool with_vtu = vtu_every > 0 && step.number % vtu_every == 0;
     if (with_vtu || !probes.empty())
@@ -108,18 +123,32 @@ namespace lumbricus
 
 
 
-  void
-  Results::write_segments(const State &state, const StepRecord &step)
+  ResetIteration::Report
+  Results::at_rest(const State &state) const
   {
-    const auto states =
+    ResetIteration::Solve solve;
+    solve.segments =
       segment_states(space, shapes, anatomy, references, state.solution);
-    const auto measures = section_measures(space, anatomy, state.solution);
-    for (unsigned int s = 0; s < states.size(); ++s)
+    solve.measures = section_measures(space, anatomy, state.solution);
+    solve.divergence.assign(solve.segments.size(), 0.);
+
+    ResetIteration::Report report;
+    report.n_resets.assign(solve.segments.size(), 0);
+    report.solves.push_back(solve);
+    return report;
+  }
+
+
+
+  void
+  Results::write_segments(const double t, const ResetIteration::Report &report)
+  {
+    const ResetIteration::Solve &solve = report.solves.back();
+    for (unsigned int s = 0; s < solve.segments.size(); ++s)
       {
-        segments << state.time << s + 1 << measures[s].length
-                 << measures[s].mid_radius << states[s].liquid_volume
-                 << states[s].wall_volume << states[s].mean_pressure()
-                 << step.divergence[s] << step.n_resets[s];
+        segments << t << s + 1;
+        add_segment(segments, solve, s);
+        segments << report.n_resets[s];
         segments.end_row();
       }
     segments.flush();
@@ -128,24 +157,48 @@ namespace lumbricus
 
 
   void
+  Results::write_resets(const double t, const ResetIteration::Report &report)
+  {
+    for (unsigned int k = 0; k < report.solves.size(); ++k)
+      for (unsigned int s = 0; s < report.solves[k].segments.size(); ++s)
+        {
+          resets << t << k << s + 1;
+          add_segment(resets, report.solves[k], s);
+          resets << report.solves[k].segments[s].largest_deviator;
+          resets.end_row();
+        }
+    resets.flush();
+  }
+
+
+
+  void
   Results::write_steps(const StepRecord &step)
   {
     steps << step.number << step.time << step.size << step.n_cuts
-          << step.n_solves << step.n_newton_iterations
+          << step.report.solves.size() << step.report.n_newton_iterations()
           << step.n_linear_iterations << step.n_factorisations << step.seconds
           << step.elapsed_seconds;
     steps.end_row();
     steps.flush();
+  }
 
-    for (unsigned int solve = 0; solve < step.newton.size(); ++solve)
-      for (unsigned int k = 0; k < step.newton[solve].size(); ++k)
-        {
-          const NewtonIteration &iteration = step.newton[solve][k];
-          newton << step.number << solve + 1 << k + 1
-                 << iteration.residual.force << iteration.residual.volume
-                 << iteration.increment << iteration.step_length;
-          newton.end_row();
-        }
+
+
+  void
+  Results::write_newton(const StepRecord &step)
+  {
+    for (unsigned int k = 0; k < step.report.solves.size(); ++k)
+      {
+        unsigned int n = 0;
+        for (const NewtonIteration &iteration : step.report.solves[k].newton)
+          {
+            newton << step.number << k + 1 << ++n << iteration.residual.force
+                   << iteration.residual.volume << iteration.increment
+                   << iteration.step_length;
+            newton.end_row();
+          }
+      }
     newton.flush();
   }
 } // namespace lumbricus

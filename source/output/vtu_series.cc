@@ -25,9 +25,6 @@ namespace lumbricus
     const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(comm);
     const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
 
-    Vector relevant(space.locally_owned, space.locally_relevant, comm);
-    relevant = state.solution;
-
     dealii::Vector<double> segment(space.triangulation.n_active_cells());
     dealii::Vector<double> tissue(segment.size());
     dealii::Vector<double> owner(segment.size());
@@ -40,13 +37,6 @@ namespace lumbricus
           owner[cell->active_cell_index()]   = rank;
         }
 
-    // The pressure unknowns have no points; cell_fields has the pressure.
-    std::vector<std::string> names(dim, "displacement");
-    names.push_back("pressure_unknown");
-    std::vector<Interpretation::DataComponentInterpretation> kinds(
-      dim, Interpretation::component_is_part_of_vector);
-    kinds.push_back(Interpretation::component_is_scalar);
-
     dealii::DataOut<dim>          data_out;
     dealii::DataOutBase::VtkFlags flags;
     flags.write_higher_order_cells = true;
@@ -54,7 +44,6 @@ namespace lumbricus
     flags.cycle                    = times_and_names.size();
     data_out.set_flags(flags);
     data_out.attach_triangulation(space.triangulation);
-    data_out.add_data_vector(space.dof_handler, relevant, names, kinds);
     data_out.add_data_vector(cell_fields.dof_handler(),
                              cell_fields.values(),
                              cell_fields.names(),

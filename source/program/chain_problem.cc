@@ -27,7 +27,8 @@ namespace lumbricus
                  parameters.anatomy,
                  parameters.reset_iteration.mode())
     , supports(space,
-               parameters.anatomy.geometry(),
+               parameters.anatomy,
+               parameters.interface_coupling,
                parameters.boundary_conditions)
     , assembler(space,
                 shapes,
@@ -51,8 +52,18 @@ namespace lumbricus
   {
     dealii::TimerOutput::Scope scope(timer, "setup");
     parameters.anatomy.geometry().create_coarse_mesh(triangulation);
-    triangulation.refine_global(parameters.n_global_refinements);
-    space.distribute_dofs();
+    const auto is_liquid = [&](const dealii::types::material_id id) {
+      return parameters.anatomy.is_liquid(Region::of(id).tissue);
+    };
+    const bool slips = parameters.interface_coupling.slips();
+    parameters.mesh_refinement.refine(
+      triangulation, [&](const auto one_side, const auto other_side) {
+        return slips && is_liquid(one_side) != is_liquid(other_side);
+      });
+    space.set_finest_curved_level(
+      parameters.mesh_refinement.n_global_refinements());
+    space.distribute_dofs(slips ? MixedSpace::Separate(is_liquid) :
+                                  MixedSpace::Separate());
     shapes.reinit();
     references.reinit();
     supports.reinit();
@@ -90,8 +101,7 @@ namespace lumbricus
                     parameters.output_every);
     State   state = space.initial_state();
     references.update(state);
-    results.write(state,
-                  StepRecord(parameters.anatomy.geometry().n_segments()));
+    results.write(state, StepRecord());
 
     log << "\n  step        time   done   Newton  resets  divergence   seconds"
            "        left\n";
@@ -134,7 +144,7 @@ namespace lumbricus
     const dealii::Timer step_timer;
     const auto          before = parameters.linear_solver->statistics();
 
-    StepRecord step(parameters.anatomy.geometry().n_segments());
+    StepRecord step;
     step.number = number;
     for (;; ++step.n_cuts)
       try
@@ -154,11 +164,11 @@ namespace lumbricus
                                              shapes,
                                              parameters.anatomy);
 
-          step.time = next.time;
-          step.size = next.time - state.time;
-          step.take(report);
-          state = next;
-          stepping.accept(report.newton.front().size());
+          step.time   = next.time;
+          step.size   = next.time - state.time;
+          step.report = report;
+          state       = next;
+          stepping.accept(report.solves.front().newton.size());
           break;
         }
       catch (const ExcNotConverged &exception)
@@ -184,14 +194,17 @@ namespace lumbricus
     const double done = step.time / parameters.load_stepping.end_time();
     const double left = step.elapsed_seconds * (1. - done) / done;
 
+    const auto &n_resets   = step.report.n_resets;
+    const auto &divergence = step.report.solves.back().divergence;
+
     std::ostringstream line;
     line << std::setw(6) << step.number << std::setw(12) << std::setprecision(6)
          << step.time << std::setw(6) << std::fixed << std::setprecision(0)
-         << 100. * done << "%" << std::setw(9) << step.n_newton_iterations
-         << std::setw(8)
-         << *std::max_element(step.n_resets.begin(), step.n_resets.end())
-         << std::setw(12) << std::scientific << std::setprecision(1)
-         << *std::max_element(step.divergence.begin(), step.divergence.end())
+         << 100. * done << "%" << std::setw(9)
+         << step.report.n_newton_iterations() << std::setw(8)
+         << *std::max_element(n_resets.begin(), n_resets.end()) << std::setw(12)
+         << std::scientific << std::setprecision(1)
+         << *std::max_element(divergence.begin(), divergence.end())
          << std::setw(10) << std::fixed << std::setprecision(1) << step.seconds
          << std::setw(10) << std::setprecision(0) << left << " s\n";
     log << line.str();

@@ -16,14 +16,8 @@ namespace lumbricus
 
     anatomy.declare_parameters(prm);
 
-    prm.enter_subsection("Mesh");
-    prm.add_parameter("Global refinements",
-                      n_global_refinements,
-                      "[-] How often every cell of the coarse mesh is cut into "
-                      "eight.",
-                      dealii::Patterns::Integer(0, 8));
-    prm.leave_subsection();
-
+    mesh_refinement.declare_parameters(prm);
+    interface_coupling.declare_parameters(prm);
     boundary_conditions.declare_parameters(prm);
     load_stepping.declare_parameters(prm);
     reset_iteration.declare_parameters(prm);
@@ -81,6 +75,7 @@ namespace lumbricus
   RunParameters::initialize()
   {
     anatomy.initialize();
+    mesh_refinement.initialize();
     boundary_conditions.initialize(anatomy.geometry());
   }
 

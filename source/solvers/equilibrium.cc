@@ -64,8 +64,20 @@ namespace lumbricus
   void
   Equilibrium::set_time(const double t, const Vector &solution)
   {
-    time              = t;
+    time = t;
+    renew_interface(solution);
     prescribed_is_due = supports.set_increments(solution, t) > 1e-14 * length;
+  }
+
+
+
+  void
+  Equilibrium::renew_interface(const Vector &solution)
+  {
+    if (!supports.renew_interface(solution))
+      return;
+    assembler.reinit();
+    linear_solver.reinit(assembler.symmetric());
   }
 
 

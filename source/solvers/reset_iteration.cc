@@ -26,6 +26,11 @@ namespace lumbricus
                       "[-] A segment is hydrostatic when int |dev sigma| dv is "
                       "at most this times int |p| dv over its liquid.",
                       PositiveNumber());
+    prm.add_parameter("Least",
+                      least,
+                      "[-] Fewest resets in one load step, hydrostatic or not: "
+                      "for the paper's fixed number of iterations.",
+                      dealii::Patterns::Integer(0));
     prm.add_parameter("Limit",
                       limit,
                       "[-] Most resets in one load step; 0 for none at all, "
@@ -45,8 +50,8 @@ namespace lumbricus
   ResetIteration::Report::n_newton_iterations() const
   {
     unsigned int n = 0;
-    for (const auto &solve : newton)
-      n += solve.size();
+    for (const Solve &solve : solves)
+      n += solve.newton.size();
     return n;
   }
 
@@ -72,44 +77,76 @@ namespace lumbricus
     const unsigned int n_segments = anatomy.geometry().n_segments();
     Report             report;
     report.n_resets.assign(n_segments, 0);
-    report.divergence.assign(n_segments, 0.);
 
     for (unsigned int n_resets = 0;; ++n_resets)
       {
-        report.newton.push_back(newton.solve(equilibrium, state.solution));
-
-        const auto segments =
+        Solve solve;
+        solve.newton = newton.solve(equilibrium, state.solution);
+        solve.segments =
           segment_states(space, shapes, anatomy, references, state.solution);
-        std::vector<bool> diverges(n_segments);
-        for (unsigned int s = 0; s < n_segments; ++s)
-          {
-            report.divergence[s] = segments[s].divergence(pressure_floor);
-            diverges[s]          = report.divergence[s] > tolerance;
-          }
-        if (limit == 0 || std::none_of(diverges.begin(),
-                                       diverges.end(),
-                                       [](const bool d) { return d; }))
+        solve.measures = section_measures(space, anatomy, state.solution);
+        for (const SegmentState &segment : solve.segments)
+          solve.divergence.push_back(segment.divergence(pressure_floor));
+        report.solves.push_back(solve);
+
+        std::vector<bool> diverges;
+        for (const double divergence : solve.divergence)
+          diverges.push_back(divergence > tolerance);
+        const bool hydrostatic = std::none_of(diverges.begin(),
+                                              diverges.end(),
+                                              [](const bool d) { return d; });
+        if (limit == 0 || (hydrostatic && n_resets >= least))
           return report;
 
-        if (n_resets == limit)
-          {
-            std::ostringstream message;
-            message << "The liquid is not hydrostatic after " << limit
-                    << " resets:";
-            for (unsigned int s = 0; s < n_segments; ++s)
-              if (diverges[s])
-                message << " segment " << s + 1 << " (divergence "
-                        << report.divergence[s] << ")";
-            message << ". Soften the liquid, or raise 'Reset/Limit' or "
-                       "'Reset/Tolerance'";
-            AssertThrow(false, ExcNotConverged(message.str()));
-          }
+        if (n_resets >= least)
+          check_progress(report.solves, diverges);
+        if (n_resets < least)
+          diverges.assign(n_segments, true);
 
         reset(state, diverges, space, anatomy);
         references.update_liquid(state.rest_displacement);
+        equilibrium.renew_interface(state.solution);
         for (unsigned int s = 0; s < n_segments; ++s)
           report.n_resets[s] += diverges[s];
       }
+  }
+
+
+
+  void
+  ResetIteration::check_progress(const std::vector<Solve> &solves,
+                                 const std::vector<bool>  &diverges) const
+  {
+    const unsigned int n_resets = solves.size() - 1;
+    const auto         grows    = [&](const unsigned int s) {
+      double least_so_far = solves[0].divergence[s];
+      for (const Solve &solve : solves)
+        least_so_far = std::min(least_so_far, solve.divergence[s]);
+      return n_resets > 3 && solves.back().divergence[s] > 10. * least_so_far;
+    };
+
+    std::ostringstream segments;
+    bool               some_grow = false;
+    for (unsigned int s = 0; s < diverges.size(); ++s)
+      if (diverges[s])
+        {
+          segments << " segment " << s + 1 << " (divergence "
+                   << solves.back().divergence[s] << ")";
+          some_grow = some_grow || grows(s);
+        }
+    AssertThrow(!some_grow,
+                ExcNotConverged("The liquid moves away from the hydrostatic "
+                                "state after " +
+                                std::to_string(n_resets) +
+                                " resets:" + segments.str() +
+                                ". Raise 'Reset/Tolerance', or choose another "
+                                "'Interface/Coupling'"));
+    AssertThrow(n_resets < limit,
+                ExcNotConverged("The liquid is not hydrostatic after " +
+                                std::to_string(limit) +
+                                " resets:" + segments.str() +
+                                ". Soften the liquid, or raise 'Reset/Limit' "
+                                "or 'Reset/Tolerance'"));
   }
 
 

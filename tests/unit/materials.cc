@@ -45,7 +45,9 @@ namespace
                                  {"Neo-Hooke", "set a = 0.7\nset nu = 0.45"},
                                  {"Mooney-Rivlin", "set a = 0.5\nset b = 0.3"},
                                  {"Mooney-Rivlin",
-                                  "set a = 0.5\nset b = 0.3\nset nu = 0.4"}};
+                                  "set a = 0.5\nset b = 0.3\nset nu = 0.4"},
+                                 {"Hooke", "set E = 0.7"},
+                                 {"Hooke", "set E = 0.7\nset nu = 0.3"}};
 
   std::vector<ReferencePoint>
   reference_points()
@@ -160,6 +162,8 @@ TEST(Laws, AreObjective)
   for (const Law &which : laws)
     for (const ReferencePoint &reference : reference_points())
       {
+        if (which.name == "Hooke") // which is what is wrong with it
+          continue;
         const auto law = read_plugin<MaterialLaw>(which.name, which.parameters);
         MaterialResponse response, rotated;
         law->evaluate(F_general, p, reference, false, response);

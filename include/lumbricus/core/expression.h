@@ -55,6 +55,12 @@ namespace lumbricus
     std::string                                  text;
     std::shared_ptr<dealii::FunctionParser<dim>> parser;
   };
+
+
+
+  /** "(x, y, z)" for messages. */
+  std::string
+  point_text(const dealii::Point<dim> &X);
 } // namespace lumbricus
 
 #endif

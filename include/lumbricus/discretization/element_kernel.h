@@ -61,6 +61,12 @@ namespace lumbricus
     double
     compute_deformation(const ShapeCache::Cell &cell);
 
+    /** Component @p c of u at quadrature point @p q. */
+    double
+    displacement(const double      *node_values,
+                 const unsigned int q,
+                 const unsigned int c) const;
+
     /** The value of p at quadrature point @p q. */
     double
     pressure(const double *pressure_modes, const unsigned int q) const;

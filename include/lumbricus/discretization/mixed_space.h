@@ -4,6 +4,7 @@
 
 #include <lumbricus/core/dimension.h>
 #include <lumbricus/core/state.h>
+#include <lumbricus/discretization/nested_shape.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -12,8 +13,10 @@
 #include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/grid/tria.h>
+#include <deal.II/hp/fe_collection.h>
 
 #include <array>
+#include <functional>
 
 namespace lumbricus
 {
@@ -24,6 +27,12 @@ namespace lumbricus
    *
    * On a cell, all of these are addressed by node (0..26, the order of
    * FE_Q(2)) and component, and by pressure mode (0..3).
+   *
+   * Where the liquid has displacements of its own (it may slip along the
+   * wall), wall and liquid do not share unknowns: the cells have the elements
+   * [Q2^3, Nothing^3, P1] and [Nothing^3, Q2^3, P1]. On a cell both number
+   * their unknowns as the element without the nothing does, so whoever works
+   * on one cell need not know.
    */
   class MixedSpace
   {
@@ -35,10 +44,22 @@ namespace lumbricus
 
     explicit MixedSpace(const dealii::Triangulation<dim> &triangulation);
 
-    /** Number the unknowns and compute the mapping, after every change of
-     * the mesh. Collective. */
+    /** Which cells, by their material id, have displacements that they do not
+     * share with the others. */
+    using Separate = std::function<bool(const dealii::types::material_id)>;
+
+    /**
+     * Number the unknowns and compute the mapping, after every change of the
+     * mesh. Without @p separate all cells share the displacements of their
+     * common nodes. Collective.
+     */
     void
-    distribute_dofs();
+    distribute_dofs(const Separate &separate = {});
+
+    /** Cells finer than @p level inherit their shape at rest. To be set before
+     * unknowns are numbered. */
+    void
+    set_finest_curved_level(const unsigned int level);
 
     /** A state of rest at time zero. */
     State
@@ -49,6 +70,7 @@ namespace lumbricus
 
     const dealii::Triangulation<dim> &triangulation;
 
+    /** The element of a cell, without the nothing. */
     const dealii::FESystem<dim>              fe;
     const dealii::FESystem<dim>              rest_fe;
     const dealii::QGauss<dim>                quadrature;
@@ -68,6 +90,11 @@ namespace lumbricus
     std::array<unsigned int, n_pressure_modes> pressure_dof;
     /** Index on the cell of component c of u_ref at node n: [c][n]. */
     std::array<std::array<unsigned int, n_nodes>, dim> rest_dof;
+
+  private:
+    NestedShape shape;
+    /** The elements of wall and liquid where these are separate. */
+    const dealii::hp::FECollection<dim> separate_fes;
   };
 } // namespace lumbricus
 

@@ -19,6 +19,17 @@ namespace lumbricus
             cell->index(),
             &dof_handler};
   }
+
+
+
+  /** @p cell as a cell of the mesh, for FEValues that are to see its shape and
+   * not whose unknowns it has. */
+  template <typename CellIterator>
+  dealii::Triangulation<dim>::cell_iterator
+  mesh_cell(const CellIterator &cell)
+  {
+    return {&cell->get_triangulation(), cell->level(), cell->index()};
+  }
 } // namespace lumbricus
 
 #endif

@@ -2,8 +2,8 @@
 #ifndef lumbricus_discretization_supports_h
 #define lumbricus_discretization_supports_h
 
-#include <lumbricus/discretization/mixed_space.h>
-#include <lumbricus/geometry/geometry.h>
+#include <lumbricus/discretization/rigid_motions.h>
+#include <lumbricus/discretization/slip_interface.h>
 #include <lumbricus/loads/boundary_conditions.h>
 
 #include <deal.II/lac/affine_constraints.h>
@@ -14,7 +14,8 @@ namespace lumbricus
 {
   /**
    * The constraints on the unknowns: hanging nodes, planes of symmetry,
-   * prescribed displacements, and the minimal support. They are constraints
+   * prescribed displacements, the minimal support, and the interface at which
+   * liquid slips. They are constraints
    * on Newton's increments, whose inhomogeneity is what is still missing to
    * the prescribed displacement.
    */
@@ -22,7 +23,8 @@ namespace lumbricus
   {
   public:
     Supports(const MixedSpace         &space,
-             const Geometry           &geometry,
+             const Anatomy            &anatomy,
+             const InterfaceCoupling  &coupling,
              const BoundaryConditions &conditions);
 
     /**
@@ -31,6 +33,14 @@ namespace lumbricus
      */
     void
     reinit();
+
+    /**
+     * Let the normals of the interface be those at @p solution, if they follow
+     * the deformation.
+     * @return whether the constraints have changed. Collective.
+     */
+    bool
+    renew_interface(const Vector &solution);
 
     /**
      * Set the inhomogeneities to what @p solution lacks of the displacements
@@ -53,20 +63,47 @@ namespace lumbricus
     {
       dealii::types::global_dof_index index;
       unsigned int                    component;
+      unsigned int                    body;
       dealii::Point<dim>              X;
       const BoundaryCondition        *condition;
     };
 
+    /** The body a cell is part of that can move by itself: 0, or segment + 1
+     * for liquid that slips. */
+    unsigned int
+    body_of(const dealii::types::material_id id) const;
+
     void
     prescribe_boundaries();
 
+    /** What holds each body so far. */
+    std::vector<RigidMotions>
+    held_motions() const;
+
     void
-    hold_rigid_motions();
+    hold_wall(RigidMotions &motions);
+
+    void
+    hold_liquid(RigidMotions &motions, const unsigned int segment);
+
+    /** Hold the displacement of the vertex at @p X of a body at zero. */
+    void
+    hold_vertex(const dealii::Point<dim> &X,
+                const unsigned int        direction,
+                const unsigned int        body);
+
+    /** Make the constraints, of the base and the interface. */
+    void
+    close();
 
     const MixedSpace         &space;
+    const Anatomy            &anatomy;
     const Geometry           &geometry;
     const BoundaryConditions &conditions;
+    SlipInterface             interface;
 
+    /** All but the interface, open. */
+    dealii::AffineConstraints<double> base;
     dealii::AffineConstraints<double> increments;
     std::vector<Prescribed>           prescribed;
   };

@@ -32,12 +32,6 @@ namespace lumbricus
     static CylindricalFrame
     at(const dealii::Point<dim> &X, const std::string &field);
   };
-
-
-
-  /** "(x, y, z)" for messages. */
-  std::string
-  point_text(const dealii::Point<dim> &X);
 } // namespace lumbricus
 
 #endif

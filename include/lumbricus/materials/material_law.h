@@ -14,10 +14,15 @@ namespace lumbricus
    * The response of a material at a point, derived from an energy
    * psi(F, p) per volume of the mesh's configuration that is stationary in p:
    *
-   *   P = d psi / dF           first Piola-Kirchhoff stress, P_iJ,
-   *   c = d psi / dp           what is zero in equilibrium: J - J_v (1 +
-   * p/kappa), A = d2 psi / dF dF       A[3 i + J][3 k + L], symmetric, Q = d2
-   * psi / dF dp       dP/dp = dc/dF, dc_dp = d2 psi / dp dp   -J_v / kappa.
+   *   P = d psi / dF,         the first Piola-Kirchhoff stress P_iJ,
+   *
+   *   c = d psi / dp,         zero in equilibrium: J - J_v (1 + p/kappa),
+   *
+   *   A = d2 psi / dF dF,     A[3 i + J][3 k + L], symmetric,
+   *
+   *   Q = d2 psi / dF dp,     which is dP/dp = dc/dF,
+   *
+   *   dc_dp = d2 psi / dp2,   -J_v / kappa.
    */
   struct MaterialResponse
   {

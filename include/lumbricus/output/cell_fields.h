@@ -16,9 +16,9 @@
 namespace lumbricus
 {
   /**
-   * What is known at the quadrature points only, for pictures: on each cell
-   * the triquadratic function that takes the values there. Discontinuous
-   * between cells, as stresses are between tissues.
+   * All fields for pictures: on each cell the triquadratic function that takes
+   * their values at the quadrature points. Discontinuous between cells, as
+   * stresses are between tissues; the displacement is what it is.
    */
   class CellFields
   {
@@ -36,9 +36,9 @@ namespace lumbricus
     void
     update(const Vector &solution);
 
-    /** One per component: pressure, Cauchy stress (9), J, hydrostatic
-     * divergence, and of every muscle the deformed fibre (3) and the active
-     * stretch. */
+    /** One per component: displacement (3), pressure, Cauchy stress (9), J,
+     * hydrostatic divergence, of every muscle the deformed fibre (3) and the
+     * active stretch, and the pressure variable p. */
     const std::vector<std::string> &
     names() const;
 

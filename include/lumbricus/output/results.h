@@ -17,36 +17,25 @@ namespace lumbricus
   /** What a load step took. */
   struct StepRecord
   {
-    explicit StepRecord(const unsigned int n_segments = 0);
-
-    /** Take over what the reset iteration reports. */
-    void
-    take(const ResetIteration::Report &report);
-
     unsigned int number = 0;
     double       time   = 0.;
     double       size   = 0.;
     /** Tries that did not converge before this one did. */
     unsigned int n_cuts              = 0;
-    unsigned int n_solves            = 0;
-    unsigned int n_newton_iterations = 0;
     unsigned int n_linear_iterations = 0;
     unsigned int n_factorisations    = 0;
     double       seconds             = 0.;
     double       elapsed_seconds     = 0.;
-    /** Per segment. */
-    std::vector<unsigned int> n_resets;
-    std::vector<double>       divergence;
-    /** Of every solve: the first and one after each reset. */
-    std::vector<std::vector<NewtonIteration>> newton;
+    /** Without solves for the state of rest. */
+    ResetIteration::Report report;
   };
 
 
 
   /**
-   * Everything a run leaves on disk: segments.csv, points.csv, steps.csv and
-   * newton.csv with every step, VTU files of some steps, and of the last good
-   * state in any case.
+   * Everything a run leaves on disk: segments.csv, resets.csv, points.csv,
+   * steps.csv and newton.csv with every step, VTU files of some steps, and of
+   * the last good state in any case.
    */
   class Results
   {
@@ -69,11 +58,21 @@ namespace lumbricus
     write_last(const State &state);
 
   private:
+    /** What there is to say of the state of rest. */
+    ResetIteration::Report
+    at_rest(const State &state) const;
+
     void
-    write_segments(const State &state, const StepRecord &step);
+    write_segments(const double t, const ResetIteration::Report &report);
+
+    void
+    write_resets(const double t, const ResetIteration::Report &report);
 
     void
     write_steps(const StepRecord &step);
+
+    void
+    write_newton(const StepRecord &step);
 
     const MixedSpace     &space;
     const ShapeCache     &shapes;
@@ -82,6 +81,7 @@ namespace lumbricus
     const unsigned int    vtu_every;
 
     CsvTable   segments;
+    CsvTable   resets;
     CsvTable   steps;
     CsvTable   newton;
     CellFields cell_fields;

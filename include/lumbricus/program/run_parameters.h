@@ -2,8 +2,10 @@
 #ifndef lumbricus_program_run_parameters_h
 #define lumbricus_program_run_parameters_h
 
+#include <lumbricus/adaptivity/mesh_refinement.h>
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/core/load_stepping.h>
+#include <lumbricus/discretization/interface_coupling.h>
 #include <lumbricus/loads/boundary_conditions.h>
 #include <lumbricus/output/probes.h>
 #include <lumbricus/solvers/linear_solver.h>
@@ -46,7 +48,8 @@ namespace lumbricus
 
     std::string          title;
     Anatomy              anatomy;
-    unsigned int         n_global_refinements = 0;
+    MeshRefinement       mesh_refinement;
+    InterfaceCoupling    interface_coupling;
     BoundaryConditions   boundary_conditions;
     LoadStepping         load_stepping;
     ResetIteration       reset_iteration;

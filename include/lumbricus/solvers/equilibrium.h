@@ -31,10 +31,15 @@ namespace lumbricus
     void
     reinit();
 
-    /** Set the time, and what @p solution lacks of the displacements
-     * prescribed then. */
+    /** Set the time, what @p solution lacks of the displacements prescribed
+     * then, and renew the interface. */
     void
     set_time(const double t, const Vector &solution);
+
+    /** Where liquid slips along the wall, let the normals be those at
+     * @p solution. */
+    void
+    renew_interface(const Vector &solution);
 
     Residual
     residual(const Vector &x) override;

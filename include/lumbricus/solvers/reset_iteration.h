@@ -2,6 +2,7 @@
 #ifndef lumbricus_solvers_reset_iteration_h
 #define lumbricus_solvers_reset_iteration_h
 
+#include <lumbricus/discretization/section_measures.h>
 #include <lumbricus/discretization/segment_state.h>
 #include <lumbricus/solvers/equilibrium.h>
 
@@ -21,13 +22,21 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override;
 
+    /** What there is to say of one solve: the first of a load step, or one
+     * after a reset. All but the first is per segment. */
+    struct Solve
+    {
+      std::vector<NewtonIteration> newton;
+      std::vector<SegmentState>    segments;
+      std::vector<SectionMeasures> measures;
+      std::vector<double>          divergence;
+    };
+
     /** What one load step took. */
     struct Report
     {
-      std::vector<std::vector<NewtonIteration>> newton;   ///< per solve
-      std::vector<unsigned int>                 n_resets; ///< per segment
-      /** Divergence per segment, after the last solve. */
-      std::vector<double> divergence;
+      std::vector<Solve>        solves;
+      std::vector<unsigned int> n_resets; ///< per segment
 
       unsigned int
       n_newton_iterations() const;
@@ -54,8 +63,15 @@ namespace lumbricus
           const MixedSpace        &space,
           const Anatomy           &anatomy) const;
 
+    /** Throw ExcNotConverged where segments that diverge do so more and more,
+     * or there have been as many resets as there may be. */
+    void
+    check_progress(const std::vector<Solve> &solves,
+                   const std::vector<bool>  &diverges) const;
+
     std::string  mode_name      = "isochoric";
     double       tolerance      = 1e-3;
+    unsigned int least          = 0;
     unsigned int limit          = 40;
     double       pressure_floor = 1e-6;
   };

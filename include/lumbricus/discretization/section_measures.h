@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef lumbricus_output_section_measures_h
-#define lumbricus_output_section_measures_h
+#ifndef lumbricus_discretization_section_measures_h
+#define lumbricus_discretization_section_measures_h
 
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/discretization/mixed_space.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/output/section_measures.h>
+#include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/discretization/section_measures.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/fe/fe_values.h>
@@ -65,7 +66,7 @@ namespace lumbricus
                     space.communicator());
     relevant = solution;
 
-    dealii::FEFaceValues<dim>           face_values(space.mapping,
+    dealii::FEFaceValues<dim> face_values(space.mapping,
                                           space.fe,
                                           space.face_quadrature,
                                           dealii::update_values |
@@ -73,6 +74,9 @@ namespace lumbricus
                                             dealii::update_quadrature_points |
                                             dealii::update_normal_vectors |
                                             dealii::update_JxW_values);
+    const unsigned int        n_dofs = space.fe.n_dofs_per_cell();
+    std::vector<dealii::types::global_dof_index> indices(n_dofs);
+    std::vector<double>                          cell_solution(n_dofs);
     std::vector<dealii::Tensor<1, dim>> u(space.face_quadrature.size());
     std::vector<dealii::Tensor<2, dim>> grad_u(space.face_quadrature.size());
 
@@ -98,10 +102,15 @@ namespace lumbricus
             if (!at_begin && !at_end && !at_middle)
               continue;
 
-            face_values.reinit(cell, face);
-            face_values[space.displacement].get_function_values(relevant, u);
-            face_values[space.displacement].get_function_gradients(relevant,
-                                                                   grad_u);
+            face_values.reinit(mesh_cell(cell), face);
+            cell->get_dof_indices(indices);
+            for (unsigned int i = 0; i < n_dofs; ++i)
+              cell_solution[i] = relevant(indices[i]);
+            const auto &displacement = face_values[space.displacement];
+            displacement.get_function_values_from_local_dof_values(
+              cell_solution, u);
+            displacement.get_function_gradients_from_local_dof_values(
+              cell_solution, grad_u);
             for (unsigned int q = 0; q < u.size(); ++q)
               {
                 const double dA = face_values.JxW(q);
