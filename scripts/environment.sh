@@ -36,10 +36,12 @@ build_packages=(g++ cmake ninja-build libdeal.ii-dev libmumps-dev
 picture_packages=(python3-numpy python3-matplotlib)
 test_packages=(libgtest-dev numdiff python3-pytest python3-numpy)
 
-# Open MPI refuses to start for root, as in containers, without these; and more
-# ranks than cores without the last.
+# Open MPI refuses to start for root, as in containers, without the first two,
+# and more ranks than cores without the third; without the last, runs side by
+# side would all be bound to the same cores.
 if [ "$(id -u)" -eq 0 ]; then
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 fi
 export OMPI_MCA_rmaps_base_oversubscribe=1
+export OMPI_MCA_hwloc_base_binding_policy=none
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1

@@ -8,5 +8,5 @@ options=(-DLUMBRICUS_WERROR=ON -DPython3_EXECUTABLE=/usr/bin/python3)
 build Release "${options[@]}"
 build Debug "${options[@]}"
 export CTEST_OUTPUT_ON_FAILURE=1
-(cd "$repository/build-Debug" && ctest -L debug)
-(cd "$repository/build-Release" && ctest)
+(cd "$repository/build-Debug" && ctest -L debug -j "$cores")
+(cd "$repository/build-Release" && ctest -j "$cores")
