@@ -27,7 +27,8 @@ install_missing()
 build()
 {
   local folder="$repository/build-$1"
-  cmake -S "$repository" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE="$1" "${@:2}"
+  cmake -S "$repository" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE="$1" \
+    -DLUMBRICUS_DEBUG_INFO=OFF "${@:2}"
   cmake --build "$folder"
 }
 

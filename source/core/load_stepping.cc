@@ -100,6 +100,14 @@ namespace lumbricus
 
 
 
+  void
+  LoadStepping::set_step(const double step)
+  {
+    size = std::min(step, largest);
+  }
+
+
+
   double
   LoadStepping::next_time(const double time) const
   {

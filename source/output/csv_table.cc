@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 namespace lumbricus
@@ -12,17 +13,31 @@ namespace lumbricus
                      const std::string              &name,
                      const std::vector<std::string> &columns,
                      const MPI_Comm                  comm)
-    : file_name(folder.path() + "/" + name)
+    : name(name)
+    , file_name(folder.path() + "/" + name)
     , n_columns(columns.size())
     , comm(comm)
     , writes(dealii::Utilities::MPI::this_mpi_process(comm) == 0)
   {
     pending.precision(15);
+    if (folder.continues(name))
+      return;
     folder.write_collectively(name, writes, [&](std::ostream &out) {
       for (const std::string &column : columns)
         out << (&column == &columns.front() ? "" : ",") << column;
       out << '\n';
     });
+  }
+
+
+
+  std::pair<std::string, std::uintmax_t>
+  CsvTable::name_and_size() const
+  {
+    // Where the file is gone the next row will say so, on all ranks.
+    std::error_code error;
+    const auto size = writes ? std::filesystem::file_size(file_name, error) : 0;
+    return {name, error ? 0 : size};
   }
 
 

@@ -94,6 +94,14 @@ namespace lumbricus
 
 
 
+  const CsvTable *
+  Probes::csv_table() const
+  {
+    return table.get();
+  }
+
+
+
   Probes::Place
   Probes::find(const dealii::Point<dim> &point) const
   {

@@ -123,6 +123,28 @@ namespace lumbricus
 
 
 
+  void
+  Results::note(RunProgress &progress) const
+  {
+    for (const CsvTable *table :
+         {&segments, &resets, &steps, &newton, probes.csv_table()})
+      if (table != nullptr)
+        progress.table_sizes.insert(table->name_and_size());
+    progress.vtu_files      = vtu.files();
+    progress.vtu_is_current = vtu_is_current;
+  }
+
+
+
+  void
+  Results::continue_after(const RunProgress &progress)
+  {
+    vtu.continue_after(progress.vtu_files);
+    vtu_is_current = progress.vtu_is_current;
+  }
+
+
+
   ResetIteration::Report
   Results::at_rest(const State &state) const
   {

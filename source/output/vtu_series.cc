@@ -18,6 +18,23 @@ namespace lumbricus
 
 
 
+  const std::vector<std::pair<double, std::string>> &
+  VtuSeries::files() const
+  {
+    return times_and_names;
+  }
+
+
+
+  void
+  VtuSeries::continue_after(
+    const std::vector<std::pair<double, std::string>> &files)
+  {
+    times_and_names = files;
+  }
+
+
+
   void
   VtuSeries::write(const State &state, const CellFields &cell_fields)
   {

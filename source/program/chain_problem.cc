@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/interruption.h>
 #include <lumbricus/program/chain_problem.h>
 
 #include <algorithm>
@@ -48,7 +49,7 @@ namespace lumbricus
 
 
   void
-  ChainProblem::setup()
+  ChainProblem::setup(const Checkpoint *checkpoint)
   {
     dealii::TimerOutput::Scope scope(timer, "setup");
     parameters.anatomy.geometry().create_coarse_mesh(triangulation);
@@ -56,10 +57,13 @@ namespace lumbricus
       return parameters.anatomy.is_liquid(Region::of(id).tissue);
     };
     const bool slips = parameters.interface_coupling.slips();
-    parameters.mesh_refinement.refine(
-      triangulation, [&](const auto one_side, const auto other_side) {
-        return slips && is_liquid(one_side) != is_liquid(other_side);
-      });
+    if (checkpoint != nullptr)
+      checkpoint->refine(triangulation);
+    else
+      parameters.mesh_refinement.refine(
+        triangulation, [&](const auto one_side, const auto other_side) {
+          return slips && is_liquid(one_side) != is_liquid(other_side);
+        });
     space.set_finest_curved_level(
       parameters.mesh_refinement.n_global_refinements());
     space.distribute_dofs(slips ? MixedSpace::Separate(is_liquid) :
@@ -90,30 +94,52 @@ namespace lumbricus
 
 
   void
-  ChainProblem::run(const RunFolder &folder)
+  ChainProblem::run(RunFolder         &folder,
+                    const std::string &resolved_parameters,
+                    const Checkpoint  *checkpoint)
   {
-    Results results(folder,
+    if (checkpoint != nullptr)
+      folder.continue_tables(checkpoint->progress().table_sizes);
+    Results    results(folder,
                     space,
                     shapes,
                     parameters.anatomy,
                     references,
                     parameters.probe_points.points(),
                     parameters.output_every);
-    State   state = space.initial_state();
-    references.update(state);
-    results.write(state, StepRecord());
-
-    log << "\n  step        time   done   Newton  resets  divergence   seconds"
-           "        left\n";
+    State      state = space.initial_state();
     StepRecord step;
+    if (checkpoint != nullptr)
+      go_on_from(*checkpoint, state, step, results);
+    references.update(state);
+    if (checkpoint == nullptr)
+      results.write(state, step);
+
+    const auto save = [&]() {
+      dealii::TimerOutput::Scope scope(timer, "checkpoints");
+      write_checkpoint(folder,
+                       triangulation,
+                       space,
+                       state,
+                       progress(state, step, results),
+                       resolved_parameters);
+      parameters.checkpoint_schedule.written();
+    };
+
+    std::string        trouble;
+    std::ostringstream last_state;
     try
       {
-        while (!parameters.load_stepping.finished(state.time))
-          {
-            step = advance(state, step.number + 1);
-            log_step(step);
-            results.write(state, step);
-          }
+        take_steps(state, step, results, save);
+      }
+    catch (const ExcInterrupted &exception)
+      {
+        save();
+        log_where_time_went();
+        AssertThrow(false,
+                    ExcInterrupted(plain_message(exception) +
+                                   "\nGo on with: lumbricus --restart '" +
+                                   folder.path() + "'"));
       }
     catch (const dealii::ExceptionBase &exception)
       {
@@ -121,18 +147,93 @@ namespace lumbricus
         if (dynamic_cast<const ExcInput *>(&exception) == nullptr &&
             dynamic_cast<const ExcSolveFailed *>(&exception) == nullptr)
           throw;
-
-        // The last good state is what the run leaves.
-        references.update(state);
-        results.write_last(state);
-        log_where_time_went();
-        std::ostringstream message;
-        message << plain_message(exception) << "\nThe last good state, at time "
-                << state.time << ", is in '" << folder.path() << "'.";
-        AssertThrow(false, ExcSolveFailed(message.str()));
+        trouble = plain_message(exception);
       }
+
+    // The last good state is what the run leaves.
+    references.update(state);
     results.write_last(state);
+    if (parameters.checkpoint_schedule.any())
+      save_or_say(save);
     log_where_time_went();
+    last_state << "\nThe last good state, at time " << state.time << ", is in '"
+               << folder.path() << "'.";
+    AssertThrow(trouble.empty(), ExcSolveFailed(trouble + last_state.str()));
+  }
+
+
+
+  void
+  ChainProblem::take_steps(State                       &state,
+                           StepRecord                  &step,
+                           Results                     &results,
+                           const std::function<void()> &save)
+  {
+    log << "\n  step        time   done   Newton  resets  divergence   seconds"
+           "        left\n";
+    while (!parameters.load_stepping.finished(state.time))
+      {
+        step = advance(state, step.number + 1);
+        log_step(step);
+        results.write(state, step);
+        if (parameters.checkpoint_schedule.due(step.number, comm))
+          {
+            save_or_say(save);
+            // So that a run that goes on from here does the same.
+            equilibrium.forget_factors();
+          }
+      }
+  }
+
+
+
+  void
+  ChainProblem::save_or_say(const std::function<void()> &save)
+  {
+    try
+      {
+        save();
+      }
+    catch (const ExcSolveFailed &exception)
+      {
+        log << "        no checkpoint: " << plain_message(exception)
+            << ". The last one is still there.\n";
+      }
+  }
+
+
+
+  RunProgress
+  ChainProblem::progress(const State      &state,
+                         const StepRecord &step,
+                         const Results    &results) const
+  {
+    RunProgress progress;
+    progress.time            = state.time;
+    progress.step            = step.number;
+    progress.step_size       = parameters.load_stepping.step();
+    progress.elapsed_seconds = step.elapsed_seconds;
+    results.note(progress);
+    return progress;
+  }
+
+
+
+  void
+  ChainProblem::go_on_from(const Checkpoint &checkpoint,
+                           State            &state,
+                           StepRecord       &step,
+                           Results          &results)
+  {
+    const RunProgress &progress = checkpoint.progress();
+    state                       = checkpoint.read_state(space);
+    step.number                 = progress.step;
+    step.elapsed_seconds        = progress.elapsed_seconds;
+    seconds_before_restart      = progress.elapsed_seconds;
+    parameters.load_stepping.set_step(progress.step_size);
+    results.continue_after(progress);
+    log << "Going on from time " << state.time << ", after step " << step.number
+        << ".\n";
   }
 
 
@@ -182,7 +283,7 @@ namespace lumbricus
     step.n_linear_iterations = after.n_iterations - before.n_iterations;
     step.n_factorisations    = after.n_factorisations - before.n_factorisations;
     step.seconds             = step_timer.wall_time();
-    step.elapsed_seconds     = run_timer.wall_time();
+    step.elapsed_seconds     = seconds_before_restart + run_timer.wall_time();
     return step;
   }
 

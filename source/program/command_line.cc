@@ -19,6 +19,7 @@ namespace lumbricus
       {"check", no_argument, nullptr, 'c'},
       {"set", required_argument, nullptr, 's'},
       {"output", required_argument, nullptr, 'o'},
+      {"restart", required_argument, nullptr, 'r'},
       {nullptr, 0, nullptr, 0}};
     const std::string advice = "\nTry 'lumbricus --help'.";
 
@@ -50,6 +51,9 @@ namespace lumbricus
                                  "folder." +
                                  advice));
             break;
+          case 'r':
+            restart_folder = optarg;
+            break;
           case ':':
             AssertThrow(false,
                         ExcInput(std::string("The option '") +
@@ -65,6 +69,16 @@ namespace lumbricus
     const int n_files = argc - optind;
     if (help || version || parameters)
       return;
+    if (!restart_folder.empty())
+      {
+        AssertThrow(n_files == 0 && output_folder.empty(),
+                    ExcInput("With '--restart' a run goes on in its folder, "
+                             "with its parameters. Leave out " +
+                             std::string(n_files > 0 ? "the parameter file" :
+                                                       "'--output'") +
+                             "; '--set' changes a parameter." + advice));
+        return;
+      }
     AssertThrow(n_files == 1,
                 ExcInput((n_files == 0 ?
                             std::string("No parameter file was given.") :
@@ -82,7 +96,8 @@ namespace lumbricus
   {
     out
       << "Usage: lumbricus [options] FILE.prm\n"
-         "       mpirun -np N lumbricus [options] FILE.prm\n"
+         "       lumbricus --restart DIR [options]\n"
+         "       mpirun -np N lumbricus ...\n"
          "\n"
          "Compute a chain of liquid-filled, muscle-driven segments.\n"
          "\n"
@@ -93,13 +108,17 @@ namespace lumbricus
          "  --set \"Section/Name=value\" override a parameter; may be given "
          "several times\n"
          "  -o, --output DIR           write the results to DIR\n"
+         "  --restart DIR              go on with the run in DIR from its last "
+         "checkpoint\n"
          "  --parameters               print all parameters with documentation\n"
          "  -v, --version              print the version\n"
          "  -h, --help                 print this\n"
          "\n"
          "Exit codes: 0 done; 1 the input is wrong, nothing was computed; 2 the "
          "run could\n"
-         "not go on, the last good state is in the output folder.\n";
+         "not go on, the last good state is in the output folder; 4 interrupted "
+         "by SIGTERM\n"
+         "or SIGUSR1, --restart goes on.\n";
   }
 
 

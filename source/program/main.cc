@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/interruption.h>
 #include <lumbricus/core/parameter_file.h>
 #include <lumbricus/program/blas.h>
 #include <lumbricus/program/run.h>
@@ -18,7 +19,8 @@ namespace
     done         = 0,
     wrong_input  = 1,
     solve_failed = 2,
-    bug          = 3
+    bug          = 3,
+    interrupted  = 4
   };
 } // namespace
 
@@ -53,6 +55,7 @@ main(int argc, char *argv[])
             ParameterFile::print_reference(parameters, std::cout);
           return done;
         }
+      watch_for_interruption();
       run(command_line, comm);
       return done;
     }
@@ -65,6 +68,11 @@ main(int argc, char *argv[])
     {
       say(plain_message(exception));
       return solve_failed;
+    }
+  catch (const ExcInterrupted &exception)
+    {
+      say(plain_message(exception));
+      return interrupted;
     }
   catch (const std::exception &exception)
     {

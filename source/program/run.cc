@@ -9,17 +9,72 @@
 
 namespace lumbricus
 {
+  namespace
+  {
+    // What a run that goes on cannot change: its state hangs on it.
+    const std::string kept_at_restart[] = {"Geometry",
+                                           "Mesh",
+                                           "Tissues",
+                                           "Interface",
+                                           "Reset/Mode",
+                                           "Output/Folder",
+                                           "Output/Points"};
+
+    void
+    check_restart_setting(const std::string &setting)
+    {
+      for (const std::string &kept : kept_at_restart)
+        {
+          const auto end = setting.find_first_of("/= ", kept.size());
+          AssertThrow(setting.compare(0, kept.size(), kept) != 0 ||
+                        end != kept.size(),
+                      ExcInput("The setting '" + setting +
+                               "' cannot change at a restart, because the "
+                               "state hangs on it. Leave it out, or start the "
+                               "run from its parameter file."));
+        }
+    }
+
+
+
+    void
+    write_parameters(const RunFolder   &folder,
+                     const std::string &resolved,
+                     const MPI_Comm     comm)
+    {
+      folder.write_collectively("parameters.prm",
+                                dealii::Utilities::MPI::this_mpi_process(
+                                  comm) == 0,
+                                [&](std::ostream &out) { out << resolved; });
+    }
+  } // namespace
+
+
+
   void
   run(const CommandLine &command_line, const MPI_Comm comm)
   {
+    std::unique_ptr<Checkpoint> checkpoint;
+    std::string                 skipped;
+    if (!command_line.restart_folder.empty())
+      {
+        checkpoint = std::make_unique<Checkpoint>(
+          Checkpoint::newest(command_line.restart_folder, skipped, comm));
+        for (const std::string &setting : command_line.settings)
+          check_restart_setting(setting);
+      }
+
     ParameterFile file;
     RunParameters parameters;
-    file.read(command_line.parameter_file);
+    file.read(checkpoint != nullptr ? checkpoint->parameter_file() :
+                                      command_line.parameter_file);
     for (const std::string &setting : command_line.settings)
       file.set(setting);
     file.parse(parameters);
     parameters.initialize();
-    if (!command_line.output_folder.empty())
+    if (checkpoint != nullptr)
+      parameters.output_folder = command_line.restart_folder;
+    else if (!command_line.output_folder.empty())
       parameters.output_folder = command_line.output_folder;
 
     // First see whether results can be written, but leave what is in the folder
@@ -30,26 +85,27 @@ namespace lumbricus
 
     Log          log(comm);
     ChainProblem problem(parameters, log, comm);
-    problem.setup();
+    problem.setup(checkpoint.get());
 
+    std::ostringstream resolved;
+    file.print_resolved(resolved);
     if (folder != nullptr)
       {
-        log.open(folder->path() + "/log.txt");
-        std::ostringstream resolved;
-        file.print_resolved(resolved);
-        folder->write_collectively(
-          "parameters.prm",
-          dealii::Utilities::MPI::this_mpi_process(comm) == 0,
-          [&](std::ostream &out) { out << resolved.str(); });
+        log.open(folder->path() + "/log.txt", checkpoint != nullptr);
+        write_parameters(*folder, resolved.str(), comm);
       }
 
     std::ostringstream version;
     print_version(version);
-    log << version.str() << blas_warning();
+    log << version.str() << blas_warning() << skipped;
+    if (checkpoint != nullptr &&
+        checkpoint->program_version() != LUMBRICUS_VERSION)
+      log << "The checkpoint was written by version "
+          << checkpoint->program_version() << ".\n";
     problem.describe();
     if (command_line.check)
       log << "The input is valid; nothing was computed.\n";
     else
-      problem.run(*folder);
+      problem.run(*folder, resolved.str(), checkpoint.get());
   }
 } // namespace lumbricus

@@ -20,6 +20,7 @@ namespace lumbricus
     interface_coupling.declare_parameters(prm);
     boundary_conditions.declare_parameters(prm);
     load_stepping.declare_parameters(prm);
+    checkpoint_schedule.declare_parameters(prm);
     reset_iteration.declare_parameters(prm);
     newton.declare_parameters(prm);
 

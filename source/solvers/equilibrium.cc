@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/interruption.h>
 #include <lumbricus/solvers/equilibrium.h>
 
 #include <deal.II/grid/filtered_iterator.h>
@@ -72,6 +73,14 @@ namespace lumbricus
 
 
   void
+  Equilibrium::forget_factors()
+  {
+    linear_solver.reinit(assembler.symmetric());
+  }
+
+
+
+  void
   Equilibrium::renew_interface(const Vector &solution)
   {
     if (!supports.renew_interface(solution))
@@ -111,6 +120,7 @@ namespace lumbricus
   void
   Equilibrium::linearise(const Vector &x)
   {
+    throw_if_interrupted(space.communicator());
     dealii::TimerOutput::Scope scope(timer, "assembly");
     assembler.linearise(x, time);
   }

@@ -153,6 +153,10 @@ def test_output_wins_over_the_file(option, tmp_path):
     ([], ["No parameter file was given", "--help"]),
     ([BLOCK, "other.prm"], ["More than one parameter file", "other.prm",
                             "--help"]),
+    (["--restart"], ["'--restart' needs a value", "--help"]),
+    (["--restart", "run", BLOCK], ["Leave out the parameter file", "--set"]),
+    (["--restart", "run", "-o", "there"], ["Leave out '--output'", "--set"]),
+    (["--restart", "nowhere"], ["'nowhere' has no checkpoint"]),
     (["none.prm"], ["'none.prm' cannot be read", "path of a .prm file"]),
     (["."], ["'.' cannot be read", "path of a .prm file"]),
 ])

@@ -47,6 +47,10 @@ namespace lumbricus
     double
     step() const;
 
+    /** Go on with this size. */
+    void
+    set_step(const double step);
+
   private:
     double       end      = 1.;
     double       first    = 0.05;

@@ -19,12 +19,12 @@ namespace lumbricus
       : active(dealii::Utilities::MPI::this_mpi_process(comm) == 0)
     {}
 
-    /** From now on write to this file too. */
+    /** From now on write to this file too, at its end where @p append. */
     void
-    open(const std::string &file_name)
+    open(const std::string &file_name, const bool append)
     {
       if (active)
-        file.open(file_name);
+        file.open(file_name, append ? std::ios::app : std::ios::out);
     }
 
     template <typename T>

@@ -4,8 +4,10 @@
 
 #include <lumbricus/output/run_folder.h>
 
+#include <cstdint>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lumbricus
@@ -17,7 +19,8 @@ namespace lumbricus
   class CsvTable
   {
   public:
-    /** Start the file @p name with a line of column names. Collective. */
+    /** Start the file @p name with a line of column names, or go on with it
+     * where the folder says so. Collective. */
     CsvTable(const RunFolder                &folder,
              const std::string              &name,
              const std::vector<std::string> &columns,
@@ -32,6 +35,10 @@ namespace lumbricus
     void
     end_row();
 
+    /** Its name in the folder and its length [bytes], on rank 0. */
+    std::pair<std::string, std::uintmax_t>
+    name_and_size() const;
+
     /**
      * Bring the rows made since the last call to disk, all at once. Throws
      * ExcSolveFailed on all ranks where that is not possible. Collective.
@@ -40,6 +47,7 @@ namespace lumbricus
     flush();
 
   private:
+    const std::string  name;
     const std::string  file_name;
     const std::size_t  n_columns;
     const MPI_Comm     comm;

@@ -45,6 +45,10 @@ namespace lumbricus
     bool
     empty() const;
 
+    /** Null where there are no points. */
+    const CsvTable *
+    csv_table() const;
+
     /** Write a row per point. The fields must be those of @p state.
      * Collective. */
     void

@@ -2,6 +2,7 @@
 #ifndef lumbricus_output_results_h
 #define lumbricus_output_results_h
 
+#include <lumbricus/checkpoint/run_progress.h>
 #include <lumbricus/discretization/segment_state.h>
 #include <lumbricus/output/cell_fields.h>
 #include <lumbricus/output/csv_table.h>
@@ -56,6 +57,14 @@ namespace lumbricus
      * unless write() has done so. Collective. */
     void
     write_last(const State &state);
+
+    /** Note how far tables and pictures are in @p progress. */
+    void
+    note(RunProgress &progress) const;
+
+    /** Go on where @p progress was noted. */
+    void
+    continue_after(const RunProgress &progress);
 
   private:
     /** What there is to say of the state of rest. */

@@ -4,9 +4,12 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cstdint>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <ostream>
+#include <set>
 #include <string>
 
 namespace lumbricus
@@ -23,6 +26,15 @@ namespace lumbricus
 
     const std::string &
     path() const;
+
+    /** The tables go on, each after so many bytes; what follows is cut off.
+     * Throws ExcInput where one is shorter. Collective. */
+    void
+    continue_tables(const std::map<std::string, std::uintmax_t> &sizes);
+
+    /** Whether the table @p name goes on. */
+    bool
+    continues(const std::string &name) const;
 
     /**
      * Write the file @p name in the folder: whole or not at all, because it
@@ -43,8 +55,9 @@ namespace lumbricus
                        const std::function<void(std::ostream &)> &writer) const;
 
   private:
-    const std::string folder;
-    const MPI_Comm    comm;
+    const std::string     folder;
+    const MPI_Comm        comm;
+    std::set<std::string> continued_tables;
   };
 } // namespace lumbricus
 

@@ -29,6 +29,14 @@ namespace lumbricus
     void
     write(const State &state, const CellFields &cell_fields);
 
+    /** The times and names of the files so far. */
+    const std::vector<std::pair<double, std::string>> &
+    files() const;
+
+    /** Go on after these files. */
+    void
+    continue_after(const std::vector<std::pair<double, std::string>> &files);
+
   private:
     const RunFolder  &folder;
     const MixedSpace &space;

@@ -2,6 +2,7 @@
 #ifndef lumbricus_program_chain_problem_h
 #define lumbricus_program_chain_problem_h
 
+#include <lumbricus/checkpoint/checkpoint.h>
 #include <lumbricus/core/log.h>
 #include <lumbricus/discretization/assembler.h>
 #include <lumbricus/output/results.h>
@@ -22,22 +23,51 @@ namespace lumbricus
   public:
     ChainProblem(RunParameters &parameters, Log &log, const MPI_Comm comm);
 
-    /** Make the mesh and number the unknowns. Throws ExcInput. */
+    /** Make the mesh, that of @p checkpoint where there is one, and number the
+     * unknowns. Throws ExcInput. */
     void
-    setup();
+    setup(const Checkpoint *checkpoint);
 
     /** Say how many cells and unknowns there are. */
     void
     describe();
 
     /**
-     * Compute the run and write its results to @p folder. Throws
-     * ExcSolveFailed, with the last good state on disk.
+     * Compute the run, from @p checkpoint on where there is one, and write its
+     * results to @p folder; @p resolved_parameters are for its checkpoints.
+     * Throws ExcSolveFailed and ExcInterrupted, with the last good state on
+     * disk.
      */
     void
-    run(const RunFolder &folder);
+    run(RunFolder         &folder,
+        const std::string &resolved_parameters,
+        const Checkpoint  *checkpoint);
 
   private:
+    /** The steps of a run, which change @p state and @p step. */
+    void
+    take_steps(State                       &state,
+               StepRecord                  &step,
+               Results                     &results,
+               const std::function<void()> &save);
+
+    /** Save, and where that is not possible say so and go on. */
+    void
+    save_or_say(const std::function<void()> &save);
+
+    /** @return what to remember besides the state. */
+    RunProgress
+    progress(const State      &state,
+             const StepRecord &step,
+             const Results    &results) const;
+
+    /** Go on from a checkpoint. */
+    void
+    go_on_from(const Checkpoint &checkpoint,
+               State            &state,
+               StepRecord       &step,
+               Results          &results);
+
     /** Take one load step, as long as converges. Throws ExcSolveFailed. */
     StepRecord
     advance(State &state, const unsigned int number);
@@ -53,6 +83,7 @@ namespace lumbricus
     const MPI_Comm comm;
 
     dealii::Timer       run_timer;
+    double              seconds_before_restart = 0.;
     dealii::TimerOutput timer;
 
     dealii::parallel::distributed::Triangulation<dim> triangulation;

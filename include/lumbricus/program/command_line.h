@@ -20,6 +20,7 @@ namespace lumbricus
     bool                     check      = false;
     std::string              parameter_file;
     std::string              output_folder;
+    std::string              restart_folder;
     std::vector<std::string> settings;
   };
 

@@ -4,6 +4,7 @@
 
 #include <lumbricus/adaptivity/mesh_refinement.h>
 #include <lumbricus/anatomy/anatomy.h>
+#include <lumbricus/checkpoint/checkpoint_schedule.h>
 #include <lumbricus/core/load_stepping.h>
 #include <lumbricus/discretization/interface_coupling.h>
 #include <lumbricus/loads/boundary_conditions.h>
@@ -52,6 +53,7 @@ namespace lumbricus
     InterfaceCoupling    interface_coupling;
     BoundaryConditions   boundary_conditions;
     LoadStepping         load_stepping;
+    CheckpointSchedule   checkpoint_schedule;
     ResetIteration       reset_iteration;
     Newton               newton;
     Choice<LinearSolver> linear_solver;

@@ -36,6 +36,10 @@ namespace lumbricus
     void
     set_time(const double t, const Vector &solution);
 
+    /** Let the linear solver start anew, as it does after a restart. */
+    void
+    forget_factors();
+
     /** Where liquid slips along the wall, let the normals be those at
      * @p solution. */
     void

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_checkpoint_run_progress_h
+#define lumbricus_checkpoint_run_progress_h
+
+#include <cstdint>
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lumbricus
+{
+  /** Where a run is, besides its State: what goes on from here needs it. */
+  struct RunProgress
+  {
+    double       time = 0.;
+    unsigned int step = 0;
+    /** The size of the load step wanted next. */
+    double step_size       = 0.;
+    double elapsed_seconds = 0.;
+    /** How long the tables are [bytes]. */
+    std::map<std::string, std::uintmax_t> table_sizes;
+    /** The VTU files so far, and whether the last is that of this state. */
+    std::vector<std::pair<double, std::string>> vtu_files;
+    bool                                        vtu_is_current = false;
+
+    void
+    write(std::ostream &out) const;
+
+    static RunProgress
+    read(std::istream &in);
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_checkpoint_state_record_h
+#define lumbricus_checkpoint_state_record_h
+
+#include <lumbricus/checkpoint/mesh_record.h>
+#include <lumbricus/discretization/mixed_space.h>
+
+#include <iosfwd>
+
+namespace lumbricus
+{
+  /**
+   * Write u, p and u_ref of the locally owned cells, bit by bit: a key and 85
+   * + 81 numbers a cell, 1.3 kB. Values at nodes that cells share are there
+   * more than once, so that each cell can be read alone. Collective.
+   */
+  void
+  write_cells(const MixedSpace &space, const State &state, std::ostream &out);
+
+  /** Read those of the cells that are locally owned now. @return how many. */
+  unsigned int
+  read_cells(const MixedSpace &space, std::istream &in, State &state);
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""kill -9 of one rank or of all at random times, also while a checkpoint is
+written: the run that goes on ends in the same numbers."""
+import os
+import random
+import signal
+import time
+
+import pytest
+from faults import (CASE, checkpoints, differences, finish, fresh, kill_all,
+                    ranks_of, start)
+
+N_KILLS = 30
+
+
+@pytest.fixture(scope="module")
+def reference(tmp_path_factory):
+    run = fresh(tmp_path_factory.mktemp("whole"), 2)
+    assert run.exit_code == 0, run.message
+    return run
+
+
+def kill_one(process):
+    """One rank; mpirun ends the others."""
+    pids = ranks_of(process)
+    if pids:
+        os.kill(random.choice(pids), signal.SIGKILL)
+    process.communicate(timeout=60)
+
+
+def go_on(folder):
+    """From the last checkpoint, or from the beginning."""
+    return start(2, "--restart", folder) if checkpoints(folder) else \
+        start(2, CASE, "--output", folder)
+
+
+def test_random_kills(tmp_path, reference):
+    random.seed(20)
+    duration = reference.steps()[-1]["elapsed_seconds"]
+    n_kills, n_runs = 0, 0
+    folder = tmp_path / "0"
+    process = go_on(folder)
+    while n_kills < N_KILLS:
+        time.sleep(0.8 + 0.3 * duration * random.random())
+        if process.poll() is None:
+            random.choice((kill_one, kill_all))(process)
+            n_kills += 1
+        elif process.wait() == 0:
+            # It went through before it could be killed: compare, and a new one.
+            assert differences(finish(process, folder), reference) < 1e-12
+            n_runs += 1
+            folder = tmp_path / str(n_runs)
+        process = go_on(folder)
+    run = finish(process, folder)
+    assert run.exit_code == 0, run.message
+    assert differences(run, reference) < 1e-12

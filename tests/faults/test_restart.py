@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A run that goes on from a checkpoint does what it would have done."""
+import os
+import shutil
+import signal
+import subprocess
+
+import pytest
+from faults import (CASE, checkpoints, differences, fresh, kill_all, ranks_of,
+                    restart, start, wait_for_step)
+
+# On the same number of ranks, and on another.
+SAME, OTHER = 1e-12, 1e-9
+
+
+@pytest.fixture(scope="module")
+def reference(tmp_path_factory):
+    """The run that nothing happens to, on one and two ranks."""
+    runs = {}
+    for ranks in (1, 2):
+        runs[ranks] = fresh(tmp_path_factory.mktemp("whole"), ranks)
+        assert runs[ranks].exit_code == 0, runs[ranks].message
+    return runs
+
+
+def killed_at(folder, ranks, step, settings=()):
+    arguments = [CASE, "--output", folder]
+    for setting in settings:
+        arguments += ["--set", setting]
+    process = start(ranks, *arguments)
+    wait_for_step(folder, step, process)
+    kill_all(process)
+
+
+@pytest.mark.parametrize("before, after", [(1, 1), (2, 2), (1, 2), (2, 1)])
+def test_same_numbers(tmp_path, reference, before, after):
+    killed_at(tmp_path, before, 4)
+    run = restart(tmp_path, after)
+    assert run.exit_code == 0, run.message
+    assert "Going on from time" in run.log
+    assert differences(run, reference[before]) < \
+        (SAME if before == after else OTHER)
+    # The tables have every row once, the pictures every step.
+    for table in ("steps.csv", "resets.csv"):
+        assert len(run.table(table)) == len(reference[before].table(table))
+    assert (tmp_path / "solution.pvd").read_text().count("DataSet") == \
+        (reference[before].folder / "solution.pvd").read_text().count("DataSet")
+    assert (tmp_path / "log.txt").read_text().count("lumbricus") == 2
+
+
+@pytest.mark.parametrize("sent", [signal.SIGTERM, signal.SIGUSR1])
+def test_a_signal_writes_a_checkpoint(tmp_path, reference, sent):
+    """SIGTERM as a batch system sends it to all ranks; SIGUSR1 to mpirun, which
+    passes it on. Not even checkpoints after steps are asked for."""
+    process = start(2, CASE, "--output", tmp_path,
+                    "--set", "Checkpoints/Steps=0")
+    while not (tmp_path / "steps.csv").exists() or \
+            len((tmp_path / "steps.csv").read_text().splitlines()) < 5:
+        assert process.poll() is None
+    if sent == signal.SIGTERM:
+        for pid in ranks_of(process):
+            os.kill(pid, sent)
+    else:
+        os.kill(process.pid, sent)
+    out, err = process.communicate(timeout=60)
+    assert process.returncode == 4, out + err
+    assert sent.name in err and f"--restart '{tmp_path}'" in err
+    assert len(checkpoints(tmp_path)) == 1
+    run = restart(tmp_path, 2)
+    assert run.exit_code == 0, run.message
+    assert differences(run, reference[2]) < OTHER
+
+
+def test_longer_at_a_restart(tmp_path, reference):
+    """The end of a run is a checkpoint: it can be made longer."""
+    half = fresh(tmp_path, 1, ["Time/End=0.5"])
+    assert half.exit_code == 0
+    run = restart(tmp_path, 1, ["Time/End=1"])
+    assert run.exit_code == 0, run.message
+    assert differences(run, reference[1]) < SAME
+
+
+@pytest.mark.parametrize("setting", [
+    "Geometry/segment chain/Radius=3", "Mesh/Global refinements=1",
+    "Tissues/wall/Law=Mooney-Rivlin", "Interface/Coupling=slip",
+    "Reset/Mode=full", "Output/Points=0, 0, 0"])
+def test_what_cannot_change_is_refused_by_name(tmp_path_factory, setting):
+    folder = tmp_path_factory.getbasetemp() / "short"
+    if not folder.exists():
+        assert fresh(folder, 1, ["Time/End=0.1"]).exit_code == 0
+    run = restart(folder, 1, [setting])
+    assert run.exit_code == 1
+    assert setting in run.message and "restart" in run.message
+
+
+def damage(path, how):
+    content = path.read_bytes()
+    if how == "truncated":
+        path.write_bytes(content[:len(content) // 2])
+    elif how == "changed":
+        middle = len(content) // 2
+        path.write_bytes(content[:middle] + bytes([content[middle] ^ 1])
+                         + content[middle + 1:])
+    else:
+        path.unlink()
+
+
+@pytest.mark.parametrize("how", ["truncated", "changed", "missing"])
+@pytest.mark.parametrize("name", ["cells.1", "mesh", "progress", "MANIFEST"])
+def test_a_damaged_checkpoint_is_left_out(tmp_path, reference, name, how):
+    assert fresh(tmp_path, 2, ["Time/End=0.3"]).exit_code == 0
+    newest = tmp_path / "checkpoints" / "000003"
+    damage(newest / name, how)
+    run = restart(tmp_path, 2, ["Time/End=0.4"])
+    assert run.exit_code == 0, run.message
+    assert "000003' is damaged" in run.log
+    assert "after step 2" in run.log
+    rows = run.segments()
+    whole = reference[2].segments()[:len(rows)]
+    assert rows[-1]["t"] == pytest.approx(0.4)
+    for row, other in zip(rows, whole):
+        assert row["length"] == pytest.approx(other["length"], rel=SAME)
+
+
+def test_nothing_to_go_on_from(tmp_path):
+    run = restart(tmp_path, 1)
+    assert run.exit_code == 1
+    assert "no checkpoint" in run.message and str(tmp_path) in run.message
+
+
+def test_a_table_that_is_gone(tmp_path):
+    assert fresh(tmp_path, 1, ["Time/End=0.1"]).exit_code == 0
+    (tmp_path / "segments.csv").unlink()
+    run = restart(tmp_path, 1, ["Time/End=0.2"])
+    assert run.exit_code == 1
+    assert "segments.csv" in run.message
+
+
+@pytest.fixture
+def small_disk(tmp_path):
+    """A file system with room for 100 kB."""
+    folder = tmp_path / "disk"
+    folder.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=100k", "tmpfs", str(folder)]
+    if subprocess.run(mount, capture_output=True).returncode != 0:
+        pytest.skip("only root can mount a small disk")
+    yield folder
+    subprocess.run(["umount", "-l", str(folder)], check=True)
+
+
+def test_a_full_disk(small_disk):
+    """There is room for the tables and for one checkpoint of 54 kB. That the
+    next cannot be written is said, and the run goes on; in the end the pictures
+    cannot, which ends it. Nothing is half written, and what is there is good."""
+    run = fresh(small_disk, 1, ["Output/Every=0", "Time/End=0.2"])
+    assert run.exit_code == 2, run.log + run.message
+    assert "no checkpoint" in run.log and "No space left" in run.log
+    assert "cannot be written" in run.message
+    assert len(run.table("steps.csv")) == 3
+    assert checkpoints(small_disk) == [1]
+    assert not list(small_disk.glob("checkpoints/*/*.incomplete"))
+
+
+def test_the_folder_disappears(tmp_path):
+    folder = tmp_path / "run"
+    process = start(2, CASE, "--output", folder)
+    wait_for_step(folder, 2, process)
+    shutil.rmtree(folder, ignore_errors=True)
+    out, err = process.communicate(timeout=120)
+    assert process.returncode == 2, out + err
+    assert str(folder) in err and "cannot be" in err
