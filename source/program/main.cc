@@ -10,19 +10,7 @@
 
 #include <iostream>
 
-namespace
-{
-  using namespace lumbricus;
-
-  enum ExitCode
-  {
-    done         = 0,
-    wrong_input  = 1,
-    solve_failed = 2,
-    bug          = 3,
-    interrupted  = 4
-  };
-} // namespace
+using namespace lumbricus;
 
 
 
@@ -45,7 +33,7 @@ main(int argc, char *argv[])
       if (command_line.help || command_line.version || command_line.parameters)
         {
           if (!first)
-            return done;
+            return ExitCode::done;
           RunParameters parameters;
           if (command_line.help)
             print_help(std::cout);
@@ -53,33 +41,31 @@ main(int argc, char *argv[])
             print_version(std::cout);
           else
             ParameterFile::print_reference(parameters, std::cout);
-          return done;
+          return ExitCode::done;
         }
       watch_for_interruption();
       run(command_line, comm);
-      return done;
+      return ExitCode::done;
     }
   catch (const ExcInput &exception)
     {
       say(plain_message(exception));
-      return wrong_input;
+      return ExitCode::wrong_input;
     }
   catch (const ExcSolveFailed &exception)
     {
       say(plain_message(exception));
-      return solve_failed;
+      return ExitCode::solve_failed;
     }
   catch (const ExcInterrupted &exception)
     {
       say(plain_message(exception));
-      return interrupted;
+      return ExitCode::interrupted;
     }
   catch (const std::exception &exception)
     {
       // Not foreseen, and perhaps on this rank only: the others must not wait.
-      std::cerr << "\nlumbricus: this is a bug, please report it.\n"
-                << exception.what() << std::endl;
-      MPI_Abort(comm, bug);
-      return bug;
+      abort_on_bug(exception, comm);
+      return ExitCode::bug;
     }
 }

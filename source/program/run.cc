@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/interruption.h>
 #include <lumbricus/core/parameter_file.h>
 #include <lumbricus/program/blas.h>
 #include <lumbricus/program/chain_problem.h>
 #include <lumbricus/program/run.h>
 
+#include <iostream>
 #include <memory>
 #include <sstream>
 
@@ -21,8 +24,9 @@ namespace lumbricus
                                            "Output/Points"};
 
     void
-    check_restart_setting(const std::string &setting)
+    check_restart_setting(const std::string &untrimmed)
     {
+      const std::string setting = dealii::Utilities::trim(untrimmed);
       for (const std::string &kept : kept_at_restart)
         {
           const auto end = setting.find_first_of("/= ", kept.size());
@@ -106,6 +110,36 @@ namespace lumbricus
     if (command_line.check)
       log << "The input is valid; nothing was computed.\n";
     else
-      problem.run(*folder, resolved.str(), checkpoint.get());
+      try
+        {
+          problem.run(*folder, resolved.str(), checkpoint.get());
+        }
+      catch (const ExcInput &)
+        {
+          throw;
+        }
+      catch (const ExcSolveFailed &)
+        {
+          throw;
+        }
+      catch (const ExcInterrupted &)
+        {
+          throw;
+        }
+      catch (const std::exception &exception)
+        {
+          // Before the problem is destroyed, which needs all ranks.
+          abort_on_bug(exception, comm);
+        }
+  }
+
+
+
+  void
+  abort_on_bug(const std::exception &exception, const MPI_Comm comm)
+  {
+    std::cerr << "\nlumbricus: this is a bug, please report it.\n"
+              << exception.what() << std::endl;
+    MPI_Abort(comm, ExitCode::bug);
   }
 } // namespace lumbricus

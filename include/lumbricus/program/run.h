@@ -6,15 +6,31 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <exception>
+
 namespace lumbricus
 {
+  /** What the program ends with. */
+  struct ExitCode
+  {
+    static constexpr int done         = 0;
+    static constexpr int wrong_input  = 1;
+    static constexpr int solve_failed = 2;
+    static constexpr int bug          = 3;
+    static constexpr int interrupted  = 4;
+  };
+
   /**
    * Read and validate the input, make the mesh and, unless only a check is
-   * asked for, compute the run and write its results. Throws ExcInput and
-   * ExcSolveFailed. Collective.
+   * asked for, compute the run and write its results. Throws ExcInput,
+   * ExcSolveFailed and ExcInterrupted. Collective.
    */
   void
   run(const CommandLine &command_line, const MPI_Comm comm);
+
+  /** Say what was thrown and end all ranks. */
+  void
+  abort_on_bug(const std::exception &exception, const MPI_Comm comm);
 } // namespace lumbricus
 
 #endif
