@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A short run with many checkpoints, and how to end it early."""
+import contextlib
 import os
 import pathlib
 import signal
@@ -53,10 +54,18 @@ def ranks_of(process):
     return [int(pid) for pid in found.stdout.split()]
 
 
-def kill_all(process):
-    os.killpg(process.pid, signal.SIGKILL)
-    for pid in ranks_of(process):
+def kill_rank(pid):
+    """kill -9, unless it has just ended by itself."""
+    with contextlib.suppress(ProcessLookupError):
         os.kill(pid, signal.SIGKILL)
+
+
+def kill_all(process):
+    """mpirun first would leave the ranks writing for a while, into the folder
+    from which a restart goes on."""
+    for pid in ranks_of(process):
+        kill_rank(pid)
+    process.kill()
     process.communicate()
 
 

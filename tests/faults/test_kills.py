@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """kill -9 of one rank or of all at random times, also while a checkpoint is
 written: the run that goes on ends in the same numbers."""
-import os
 import random
-import signal
 import time
 
 import pytest
 from faults import (CASE, checkpoints, differences, finish, fresh, kill_all,
-                    ranks_of, start)
+                    kill_rank, ranks_of, start)
 
 N_KILLS = 30
 
@@ -24,7 +22,7 @@ def kill_one(process):
     """One rank; mpirun ends the others."""
     pids = ranks_of(process)
     if pids:
-        os.kill(random.choice(pids), signal.SIGKILL)
+        kill_rank(random.choice(pids))
     process.communicate(timeout=60)
 
 
