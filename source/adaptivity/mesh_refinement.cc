@@ -3,8 +3,6 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/patterns.h>
 
-#include <deal.II/grid/filtered_iterator.h>
-
 #include <cmath>
 
 namespace lumbricus
@@ -58,7 +56,10 @@ namespace lumbricus
         mark(triangulation);
         triangulation.execute_coarsening_and_refinement();
       }
-    match_levels(triangulation, is_slip_interface);
+    while (mark_where(triangulation, [&](const auto &cell) {
+      return coarser_across_interface(cell, is_slip_interface);
+    }))
+      triangulation.execute_coarsening_and_refinement();
   }
 
 
@@ -75,46 +76,28 @@ namespace lumbricus
   MeshRefinement::mark(ParallelMesh &triangulation) const
   {
     std::string message;
-    for (const auto &cell : triangulation.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
-      {
-        const double value = where->value(cell->center(), 0.);
-        if (!std::isfinite(value))
-          message = "Parameter '" + parameter + "': the formula '" + formula +
-                    "' has no value at the point " +
-                    point_text(cell->center()) +
-                    ". Give one that is defined in all of the body.";
-        else if (value > 0.)
-          cell->set_refine_flag();
-      }
+    mark_where(triangulation, [&](const auto &cell) {
+      const double value = where->value(cell->center(), 0.);
+      if (!std::isfinite(value))
+        message = "Parameter '" + parameter + "': the formula '" + formula +
+                  "' has no value at the point " + point_text(cell->center()) +
+                  ". Give one that is defined in all of the body.";
+      return value > 0.;
+    });
     throw_on_all_ranks<ExcInput>(message, triangulation.get_communicator());
   }
 
 
 
-  void
-  match_levels(ParallelMesh          &triangulation,
-               const IsSlipInterface &is_slip_interface)
+  bool
+  coarser_across_interface(const ParallelMesh::active_cell_iterator &cell,
+                           const IsSlipInterface &is_slip_interface)
   {
-    for (bool all_match = false; !all_match;)
-      {
-        unsigned int n_marked = 0;
-        for (const auto &cell : triangulation.active_cell_iterators() |
-                                  dealii::IteratorFilters::LocallyOwnedCell())
-          for (const unsigned int f : cell->face_indices())
-            if (!cell->at_boundary(f) && cell->neighbor(f)->has_children() &&
-                !cell->refine_flag_set() &&
-                is_slip_interface(cell->material_id(),
-                                  cell->neighbor(f)->material_id()))
-              {
-                cell->set_refine_flag();
-                ++n_marked;
-              }
-        all_match =
-          dealii::Utilities::MPI::sum(n_marked,
-                                      triangulation.get_communicator()) == 0;
-        if (!all_match)
-          triangulation.execute_coarsening_and_refinement();
-      }
+    for (const unsigned int f : cell->face_indices())
+      if (!cell->at_boundary(f) && cell->neighbor(f)->has_children() &&
+          is_slip_interface(cell->material_id(),
+                            cell->neighbor(f)->material_id()))
+        return true;
+    return false;
   }
 } // namespace lumbricus

@@ -69,9 +69,7 @@ namespace lumbricus
   {
     if (empty())
       return;
-    for (const auto &point : points)
-      places.push_back(find(point));
-
+    reinit();
     std::vector<std::string> columns = {
       "t", "point", "x", "y", "z", "ux", "uy", "uz", "pressure"};
     for (const std::string row : {"x", "y", "z"})
@@ -82,6 +80,16 @@ namespace lumbricus
                                        "points.csv",
                                        columns,
                                        space.communicator());
+  }
+
+
+
+  void
+  Probes::reinit()
+  {
+    places.clear();
+    for (const auto &point : points)
+      places.push_back(find(point));
   }
 
 

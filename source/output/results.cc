@@ -2,6 +2,8 @@
 #include <lumbricus/discretization/section_measures.h>
 #include <lumbricus/output/results.h>
 
+#include <algorithm>
+
 namespace lumbricus
 {
   namespace
@@ -47,6 +49,7 @@ namespace lumbricus
     , resets(folder,
              "resets.csv",
              {"t",
+              "cycle",
               "reset",
               "segment",
               "length",
@@ -73,6 +76,7 @@ namespace lumbricus
     , newton(folder,
              "newton.csv",
              {"step",
+              "cycle",
               "solve",
               "iteration",
               "force_residual",
@@ -80,6 +84,22 @@ namespace lumbricus
               "increment",
               "step_length"},
              space.communicator())
+    , mesh(folder,
+           "mesh.csv",
+           {"step",
+            "t",
+            "cycle",
+            "cells",
+            "unknowns",
+            "refined",
+            "coarsened",
+            "converged",
+            "estimated_error",
+            "volume_change",
+            "pressure_change",
+            "newton_iterations",
+            "resets"},
+           space.communicator())
     , cell_fields(space, shapes, anatomy, references)
     , vtu(folder, space, anatomy)
     , probes(probe_points, folder, space, cell_fields)
@@ -90,15 +110,22 @@ namespace lumbricus
 
 
   void
+  Results::reinit()
+  {
+    cell_fields.reinit();
+    probes.reinit();
+  }
+
+
+
+  void
   Results::write(const State &state, const StepRecord &step)
   {
-    if (step.report.solves.empty())
-      write_segments(state.time, at_rest(state));
-    else
-      write_segments(state.time, step.report);
-    write_resets(state.time, step.report);
+    write_segments(state, step);
+    write_resets(step);
     write_steps(step);
     write_newton(step);
+    write_mesh(step);
 
     const bool with_vtu = vtu_every > 0 && step.number % vtu_every == 0;
     if (with_vtu || !probes.empty())
@@ -127,7 +154,7 @@ namespace lumbricus
   Results::note(RunProgress &progress) const
   {
     for (const CsvTable *table :
-         {&segments, &resets, &steps, &newton, probes.csv_table()})
+         {&segments, &resets, &steps, &newton, &mesh, probes.csv_table()})
       if (table != nullptr)
         progress.table_sizes.insert(table->name_and_size());
     progress.vtu_files      = vtu.files();
@@ -145,7 +172,7 @@ namespace lumbricus
 
 
 
-  ResetIteration::Report
+  ResetIteration::Solve
   Results::at_rest(const State &state) const
   {
     ResetIteration::Solve solve;
@@ -153,24 +180,26 @@ namespace lumbricus
       segment_states(space, shapes, anatomy, references, state.solution);
     solve.measures = section_measures(space, anatomy, state.solution);
     solve.divergence.assign(solve.segments.size(), 0.);
-
-    ResetIteration::Report report;
-    report.n_resets.assign(solve.segments.size(), 0);
-    report.solves.push_back(solve);
-    return report;
+    return solve;
   }
 
 
 
   void
-  Results::write_segments(const double t, const ResetIteration::Report &report)
+  Results::write_segments(const State &state, const StepRecord &step)
   {
-    const ResetIteration::Solve &solve = report.solves.back();
+    const auto                  reports = step.reports();
+    const ResetIteration::Solve solve   = reports.back()->solves.empty() ?
+                                            at_rest(state) :
+                                            reports.back()->solves.back();
     for (unsigned int s = 0; s < solve.segments.size(); ++s)
       {
-        segments << t << s + 1;
+        unsigned int n_resets = 0;
+        for (const auto *report : reports)
+          n_resets += report->solves.empty() ? 0 : report->n_resets[s];
+        segments << state.time << s + 1;
         add_segment(segments, solve, s);
-        segments << report.n_resets[s];
+        segments << n_resets;
         segments.end_row();
       }
     segments.flush();
@@ -179,16 +208,21 @@ namespace lumbricus
 
 
   void
-  Results::write_resets(const double t, const ResetIteration::Report &report)
+  Results::write_resets(const StepRecord &step)
   {
-    for (unsigned int k = 0; k < report.solves.size(); ++k)
-      for (unsigned int s = 0; s < report.solves[k].segments.size(); ++s)
-        {
-          resets << t << k << s + 1;
-          add_segment(resets, report.solves[k], s);
-          resets << report.solves[k].segments[s].largest_deviator;
-          resets.end_row();
-        }
+    const auto reports = step.reports();
+    for (unsigned int cycle = 0; cycle < reports.size(); ++cycle)
+      {
+        const auto &solves = reports[cycle]->solves;
+        for (unsigned int k = 0; k < solves.size(); ++k)
+          for (unsigned int s = 0; s < solves[k].segments.size(); ++s)
+            {
+              resets << step.time << cycle << k << s + 1;
+              add_segment(resets, solves[k], s);
+              resets << solves[k].segments[s].largest_deviator;
+              resets.end_row();
+            }
+      }
     resets.flush();
   }
 
@@ -197,10 +231,15 @@ namespace lumbricus
   void
   Results::write_steps(const StepRecord &step)
   {
-    steps << step.number << step.time << step.size << step.n_cuts
-          << step.report.solves.size() << step.report.n_newton_iterations()
-          << step.n_linear_iterations << step.n_factorisations << step.seconds
-          << step.elapsed_seconds;
+    std::size_t n_solves = 0, n_newton_iterations = 0;
+    for (const auto *report : step.reports())
+      {
+        n_solves += report->solves.size();
+        n_newton_iterations += report->n_newton_iterations();
+      }
+    steps << step.number << step.time << step.size << step.n_cuts << n_solves
+          << n_newton_iterations << step.n_linear_iterations
+          << step.n_factorisations << step.seconds << step.elapsed_seconds;
     steps.end_row();
     steps.flush();
   }
@@ -210,17 +249,51 @@ namespace lumbricus
   void
   Results::write_newton(const StepRecord &step)
   {
-    for (unsigned int k = 0; k < step.report.solves.size(); ++k)
-      {
-        unsigned int n = 0;
-        for (const NewtonIteration &iteration : step.report.solves[k].newton)
-          {
-            newton << step.number << k + 1 << ++n << iteration.residual.force
-                   << iteration.residual.volume << iteration.increment
-                   << iteration.step_length;
-            newton.end_row();
-          }
-      }
+    const auto reports = step.reports();
+    for (unsigned int cycle = 0; cycle < reports.size(); ++cycle)
+      for (unsigned int k = 0; k < reports[cycle]->solves.size(); ++k)
+        {
+          unsigned int n = 0;
+          for (const NewtonIteration &iteration :
+               reports[cycle]->solves[k].newton)
+            {
+              newton << step.number << cycle << k + 1 << ++n
+                     << iteration.residual.force << iteration.residual.volume
+                     << iteration.increment << iteration.step_length;
+              newton.end_row();
+            }
+        }
     newton.flush();
+  }
+
+
+
+  void
+  Results::write_mesh(const StepRecord &step)
+  {
+    const auto write_row = [&](const unsigned int      cycle,
+                               const AdaptationRecord &record) {
+      const auto &n_resets = record.report.n_resets;
+      mesh << step.number << step.time << cycle << record.n_cells
+           << record.n_unknowns << record.n_refined << record.n_coarsened
+           << record.converged << record.estimated_error << record.volume_change
+           << record.pressure_change << record.report.n_newton_iterations()
+           << (n_resets.empty() ?
+                 0 :
+                 *std::max_element(n_resets.begin(), n_resets.end()));
+      mesh.end_row();
+    };
+
+    if (step.number == 0)
+      {
+        AdaptationRecord at_first;
+        at_first.n_cells    = space.triangulation.n_global_active_cells();
+        at_first.n_unknowns = space.dof_handler.n_dofs();
+        at_first.converged  = true;
+        write_row(0, at_first);
+      }
+    for (unsigned int cycle = 0; cycle < step.adaptations.size(); ++cycle)
+      write_row(cycle + 1, step.adaptations[cycle]);
+    mesh.flush();
   }
 } // namespace lumbricus

@@ -17,6 +17,7 @@ namespace lumbricus
     anatomy.declare_parameters(prm);
 
     mesh_refinement.declare_parameters(prm);
+    adaptivity.declare_parameters(prm);
     interface_coupling.declare_parameters(prm);
     boundary_conditions.declare_parameters(prm);
     load_stepping.declare_parameters(prm);
@@ -50,6 +51,7 @@ namespace lumbricus
                                    const Extent              extent)
   {
     bool extended = anatomy.extend_parameters(prm, extent);
+    extended |= adaptivity.extend_parameters(prm, extent);
     extended |= boundary_conditions.extend_parameters(prm, extent);
     prm.enter_subsection("Linear solver");
     extended |= linear_solver.extend_parameters(prm, extent);
@@ -63,6 +65,7 @@ namespace lumbricus
   RunParameters::check_parameters() const
   {
     anatomy.check_parameters();
+    adaptivity.check_parameters();
     boundary_conditions.check_parameters();
     load_stepping.check_parameters();
     within_section("Linear solver",
@@ -77,6 +80,7 @@ namespace lumbricus
   {
     anatomy.initialize();
     mesh_refinement.initialize();
+    adaptivity.initialize(anatomy, mesh_refinement.n_global_refinements());
     boundary_conditions.initialize(anatomy.geometry());
   }
 

@@ -2,11 +2,9 @@
 #ifndef lumbricus_adaptivity_mesh_refinement_h
 #define lumbricus_adaptivity_mesh_refinement_h
 
-#include <lumbricus/core/dimension.h>
+#include <lumbricus/adaptivity/mark_where.h>
 #include <lumbricus/core/expression.h>
 #include <lumbricus/core/parameter_owner.h>
-
-#include <deal.II/distributed/tria.h>
 
 #include <functional>
 #include <memory>
@@ -14,8 +12,6 @@
 
 namespace lumbricus
 {
-  using ParallelMesh = dealii::parallel::distributed::Triangulation<dim>;
-
   /** Whether liquid slips along the wall between cells of two material ids. */
   using IsSlipInterface = std::function<bool(const dealii::types::material_id,
                                              const dealii::types::material_id)>;
@@ -56,12 +52,12 @@ namespace lumbricus
 
 
   /**
-   * Refine until cells on the two sides of a slip interface are of the same
-   * level, so that they can share nodes pair by pair. Collective.
+   * Whether @p cell is coarser than a neighbour across a slip interface: it is
+   * to be refined, so that the two sides can share nodes pair by pair.
    */
-  void
-  match_levels(ParallelMesh          &triangulation,
-               const IsSlipInterface &is_slip_interface);
+  bool
+  coarser_across_interface(const ParallelMesh::active_cell_iterator &cell,
+                           const IsSlipInterface &is_slip_interface);
 } // namespace lumbricus
 
 #endif

@@ -2,8 +2,9 @@
 #ifndef lumbricus_checkpoint_checkpoint_h
 #define lumbricus_checkpoint_checkpoint_h
 
+#include <lumbricus/adaptivity/mesh_record.h>
 #include <lumbricus/checkpoint/run_progress.h>
-#include <lumbricus/checkpoint/state_record.h>
+#include <lumbricus/discretization/state_record.h>
 #include <lumbricus/output/run_folder.h>
 
 #include <string>

@@ -25,6 +25,20 @@ namespace lumbricus
    */
   void
   throw_if_interrupted(const MPI_Comm comm);
+
+
+
+  /** While one of these lives there is no safe point. */
+  class Uninterrupted
+  {
+  public:
+    Uninterrupted();
+    ~Uninterrupted();
+
+    Uninterrupted(const Uninterrupted &) = delete;
+    Uninterrupted &
+    operator=(const Uninterrupted &) = delete;
+  };
 } // namespace lumbricus
 
 #endif

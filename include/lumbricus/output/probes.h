@@ -2,7 +2,7 @@
 #ifndef lumbricus_output_probes_h
 #define lumbricus_output_probes_h
 
-#include <lumbricus/output/cell_fields.h>
+#include <lumbricus/discretization/cell_fields.h>
 #include <lumbricus/output/csv_table.h>
 
 #include <deal.II/base/point.h>
@@ -40,6 +40,10 @@ namespace lumbricus
            const RunFolder                       &folder,
            const MixedSpace                      &space,
            const CellFields                      &cell_fields);
+
+    /** Find the cells anew, after every change of the mesh. Collective. */
+    void
+    reinit();
 
     /** Whether there are any. */
     bool

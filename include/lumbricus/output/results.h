@@ -3,40 +3,22 @@
 #define lumbricus_output_results_h
 
 #include <lumbricus/checkpoint/run_progress.h>
+#include <lumbricus/discretization/cell_fields.h>
 #include <lumbricus/discretization/segment_state.h>
-#include <lumbricus/output/cell_fields.h>
 #include <lumbricus/output/csv_table.h>
 #include <lumbricus/output/probes.h>
+#include <lumbricus/output/step_record.h>
 #include <lumbricus/output/vtu_series.h>
-#include <lumbricus/solvers/reset_iteration.h>
 
 #include <string>
 #include <vector>
 
 namespace lumbricus
 {
-  /** What a load step took. */
-  struct StepRecord
-  {
-    unsigned int number = 0;
-    double       time   = 0.;
-    double       size   = 0.;
-    /** Tries that did not converge before this one did. */
-    unsigned int n_cuts              = 0;
-    unsigned int n_linear_iterations = 0;
-    unsigned int n_factorisations    = 0;
-    double       seconds             = 0.;
-    double       elapsed_seconds     = 0.;
-    /** Without solves for the state of rest. */
-    ResetIteration::Report report;
-  };
-
-
-
   /**
    * Everything a run leaves on disk: segments.csv, resets.csv, points.csv,
-   * steps.csv and newton.csv with every step, VTU files of some steps, and of
-   * the last good state in any case.
+   * steps.csv, newton.csv and mesh.csv with every step, VTU files of some
+   * steps, and of the last good state in any case.
    */
   class Results
   {
@@ -48,6 +30,10 @@ namespace lumbricus
             const ReferenceField                  &references,
             const std::vector<dealii::Point<dim>> &probe_points,
             const unsigned int                     vtu_every);
+
+    /** After every change of the mesh. Collective. */
+    void
+    reinit();
 
     /** Write a state that has converged. Collective. */
     void
@@ -68,20 +54,23 @@ namespace lumbricus
 
   private:
     /** What there is to say of the state of rest. */
-    ResetIteration::Report
+    ResetIteration::Solve
     at_rest(const State &state) const;
 
     void
-    write_segments(const double t, const ResetIteration::Report &report);
+    write_segments(const State &state, const StepRecord &step);
 
     void
-    write_resets(const double t, const ResetIteration::Report &report);
+    write_resets(const StepRecord &step);
 
     void
     write_steps(const StepRecord &step);
 
     void
     write_newton(const StepRecord &step);
+
+    void
+    write_mesh(const StepRecord &step);
 
     const MixedSpace     &space;
     const ShapeCache     &shapes;
@@ -93,6 +82,7 @@ namespace lumbricus
     CsvTable   resets;
     CsvTable   steps;
     CsvTable   newton;
+    CsvTable   mesh;
     CellFields cell_fields;
     VtuSeries  vtu;
     Probes     probes;

@@ -3,7 +3,7 @@
 #define lumbricus_output_vtu_series_h
 
 #include <lumbricus/core/state.h>
-#include <lumbricus/output/cell_fields.h>
+#include <lumbricus/discretization/cell_fields.h>
 #include <lumbricus/output/run_folder.h>
 
 #include <string>

@@ -4,27 +4,24 @@
 
 #include <lumbricus/checkpoint/checkpoint.h>
 #include <lumbricus/core/log.h>
-#include <lumbricus/discretization/assembler.h>
 #include <lumbricus/output/results.h>
-#include <lumbricus/program/run_parameters.h>
-#include <lumbricus/solvers/equilibrium.h>
+#include <lumbricus/program/chain_model.h>
 
 #include <deal.II/base/timer.h>
-#include <deal.II/distributed/tria.h>
 
 namespace lumbricus
 {
   /**
-   * A run, put together from its parts: geometry, fibres, reference maps,
-   * assembly, solvers, output. It composes and computes nothing itself.
+   * A run: load steps on a model of the body, adaptation of its mesh, results
+   * and checkpoints. It composes and computes nothing itself.
    */
   class ChainProblem
   {
   public:
     ChainProblem(RunParameters &parameters, Log &log, const MPI_Comm comm);
 
-    /** Make the mesh, that of @p checkpoint where there is one, and number the
-     * unknowns. Throws ExcInput. */
+    /** Make the model, on the mesh of @p checkpoint where there is one. Throws
+     * ExcInput. */
     void
     setup(const Checkpoint *checkpoint);
 
@@ -70,13 +67,29 @@ namespace lumbricus
 
     /** Take one load step, as long as converges. Throws ExcSolveFailed. */
     StepRecord
-    advance(State &state, const unsigned int number);
+    advance(State &state);
 
+    /** Adapt the mesh to @p state, which has converged. */
     void
-    log_step(const StepRecord &step);
+    adapt(State &state, StepRecord &step, Results &results);
 
     void
     log_where_time_went();
+
+    /** What the run has cost so far. */
+    struct Costs
+    {
+      double       seconds;
+      unsigned int n_iterations;
+      unsigned int n_factorisations;
+    };
+
+    Costs
+    costs() const;
+
+    /** Note what @p step has cost, which began at @p before. */
+    void
+    charge(StepRecord &step, const Costs &before) const;
 
     RunParameters &parameters;
     Log           &log;
@@ -85,15 +98,7 @@ namespace lumbricus
     dealii::Timer       run_timer;
     double              seconds_before_restart = 0.;
     dealii::TimerOutput timer;
-
-    dealii::parallel::distributed::Triangulation<dim> triangulation;
-
-    MixedSpace     space;
-    ShapeCache     shapes;
-    ReferenceField references;
-    Supports       supports;
-    Assembler      assembler;
-    Equilibrium    equilibrium;
+    ChainModel          model;
   };
 } // namespace lumbricus
 

@@ -2,6 +2,7 @@
 #ifndef lumbricus_program_run_parameters_h
 #define lumbricus_program_run_parameters_h
 
+#include <lumbricus/adaptivity/adaptivity.h>
 #include <lumbricus/adaptivity/mesh_refinement.h>
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/checkpoint/checkpoint_schedule.h>
@@ -50,6 +51,7 @@ namespace lumbricus
     std::string          title;
     Anatomy              anatomy;
     MeshRefinement       mesh_refinement;
+    Adaptivity           adaptivity;
     InterfaceCoupling    interface_coupling;
     BoundaryConditions   boundary_conditions;
     LoadStepping         load_stepping;

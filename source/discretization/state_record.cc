@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/checkpoint/state_record.h>
-#include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/discretization/cell_key.h>
+#include <lumbricus/discretization/cell_state.h>
+#include <lumbricus/discretization/state_record.h>
 
 #include <deal.II/grid/filtered_iterator.h>
 
@@ -13,8 +14,6 @@ namespace lumbricus
 {
   namespace
   {
-    using Indices = std::vector<dealii::types::global_dof_index>;
-
     template <typename T>
     void
     write_bits(std::ostream &out, const T *values, const std::size_t n)
@@ -43,21 +42,13 @@ namespace lumbricus
                     space.communicator());
     solution = state.solution;
 
-    Indices             indices(space.fe.n_dofs_per_cell());
-    Indices             rest_indices(space.rest_fe.n_dofs_per_cell());
-    std::vector<double> values(indices.size() + rest_indices.size());
+    CellStateAccess     access(space);
+    std::vector<double> values;
     for (const auto &cell : space.dof_handler.active_cell_iterators() |
                               dealii::IteratorFilters::LocallyOwnedCell())
       {
-        cell->get_dof_indices(indices);
-        same_cell(cell, space.rest_dof_handler)->get_dof_indices(rest_indices);
-        auto value = values.begin();
-        for (const auto i : indices)
-          *value++ = solution(i);
-        for (const auto i : rest_indices)
-          *value++ = state.rest_displacement(i);
-
-        const CellKey key = cell->id().template to_binary<dim>();
+        access.read(cell, solution, state.rest_displacement, values);
+        const CellKey key = cell_key(cell);
         write_bits(out, key.data(), key.size());
         write_bits(out, values.data(), values.size());
       }
@@ -71,11 +62,10 @@ namespace lumbricus
     std::map<CellKey, dealii::DoFHandler<dim>::active_cell_iterator> owned;
     for (const auto &cell : space.dof_handler.active_cell_iterators() |
                               dealii::IteratorFilters::LocallyOwnedCell())
-      owned[cell->id().template to_binary<dim>()] = cell;
+      owned[cell_key(cell)] = cell;
 
-    Indices             indices(space.fe.n_dofs_per_cell());
-    Indices             rest_indices(space.rest_fe.n_dofs_per_cell());
-    std::vector<double> values(indices.size() + rest_indices.size());
+    CellStateAccess     access(space);
+    std::vector<double> values(CellState::size);
     unsigned int        n_read = 0;
     CellKey             key;
     while (read_bits(in, key.data(), key.size()) &&
@@ -84,18 +74,7 @@ namespace lumbricus
         const auto found = owned.find(key);
         if (found == owned.end())
           continue;
-        const auto cell = found->second;
-        cell->get_dof_indices(indices);
-        same_cell(cell, space.rest_dof_handler)->get_dof_indices(rest_indices);
-        auto value = values.begin();
-        for (const auto i : indices)
-          {
-            if (space.locally_owned.is_element(i))
-              state.solution(i) = *value;
-            ++value;
-          }
-        for (const auto i : rest_indices)
-          state.rest_displacement(i) = *value++;
+        access.write(found->second, values, state);
         ++n_read;
       }
     return n_read;

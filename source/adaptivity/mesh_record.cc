@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/checkpoint/mesh_record.h>
-
-#include <deal.II/grid/filtered_iterator.h>
+#include <lumbricus/adaptivity/mesh_record.h>
 
 #include <vector>
 
@@ -20,8 +18,7 @@ namespace lumbricus
         while (ancestor->level() > 0)
           {
             ancestor = ancestor->parent();
-            if (!refined.insert(ancestor->id().template to_binary<dim>())
-                   .second)
+            if (!refined.insert(cell_key(ancestor)).second)
               break;
           }
       }
@@ -39,21 +36,23 @@ namespace lumbricus
   void
   refine_cells(ParallelMesh &triangulation, const std::set<CellKey> &refined)
   {
-    for (bool complete = false; !complete;)
+    while (mark_where(triangulation, [&](const auto &cell) {
+      return refined.count(cell_key(cell)) > 0;
+    }))
+      triangulation.execute_coarsening_and_refinement();
+  }
+
+
+
+  void
+  coarsen_completely(ParallelMesh &triangulation)
+  {
+    while (triangulation.n_global_levels() > 1)
       {
-        unsigned int n_marked = 0;
         for (const auto &cell : triangulation.active_cell_iterators() |
                                   dealii::IteratorFilters::LocallyOwnedCell())
-          if (refined.count(cell->id().template to_binary<dim>()) > 0)
-            {
-              cell->set_refine_flag();
-              ++n_marked;
-            }
-        complete =
-          dealii::Utilities::MPI::sum(n_marked,
-                                      triangulation.get_communicator()) == 0;
-        if (!complete)
-          triangulation.execute_coarsening_and_refinement();
+          cell->set_coarsen_flag();
+        triangulation.execute_coarsening_and_refinement();
       }
   }
 } // namespace lumbricus

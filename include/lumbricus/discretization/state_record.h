@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef lumbricus_checkpoint_state_record_h
-#define lumbricus_checkpoint_state_record_h
+#ifndef lumbricus_discretization_state_record_h
+#define lumbricus_discretization_state_record_h
 
-#include <lumbricus/checkpoint/mesh_record.h>
 #include <lumbricus/discretization/mixed_space.h>
 
 #include <iosfwd>

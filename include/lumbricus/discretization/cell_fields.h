@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef lumbricus_output_cell_fields_h
-#define lumbricus_output_cell_fields_h
+#ifndef lumbricus_discretization_cell_fields_h
+#define lumbricus_discretization_cell_fields_h
 
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/discretization/reference_field.h>
@@ -23,6 +23,10 @@ namespace lumbricus
   class CellFields
   {
   public:
+    /** The first components of displacement and Cauchy stress. */
+    static constexpr unsigned int displacement_component = 0;
+    static constexpr unsigned int stress_component       = dim + 1;
+
     CellFields(const MixedSpace     &space,
                const ShapeCache     &shapes,
                const Anatomy        &anatomy,

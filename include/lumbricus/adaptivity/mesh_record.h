@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef lumbricus_checkpoint_mesh_record_h
-#define lumbricus_checkpoint_mesh_record_h
+#ifndef lumbricus_adaptivity_mesh_record_h
+#define lumbricus_adaptivity_mesh_record_h
 
-#include <lumbricus/adaptivity/mesh_refinement.h>
-
-#include <deal.II/grid/cell_id.h>
+#include <lumbricus/adaptivity/mark_where.h>
+#include <lumbricus/discretization/cell_key.h>
 
 #include <set>
 
 namespace lumbricus
 {
-  /** A cell of a mesh, the same whatever the partition. */
-  using CellKey = dealii::CellId::binary_type;
-
   /** All cells of the mesh that are refined, on all ranks: an eighth as many
    * as there are active cells. Collective. */
   std::set<CellKey>
@@ -21,6 +17,10 @@ namespace lumbricus
   /** Refine the coarse mesh until these cells are refined. Collective. */
   void
   refine_cells(ParallelMesh &triangulation, const std::set<CellKey> &refined);
+
+  /** Coarsen until the coarse mesh is left. Collective. */
+  void
+  coarsen_completely(ParallelMesh &triangulation);
 } // namespace lumbricus
 
 #endif

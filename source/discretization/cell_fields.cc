@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/cell_fields.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/same_cell.h>
-#include <lumbricus/output/cell_fields.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgq.h>

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_adaptivity_marking_rule_h
+#define lumbricus_adaptivity_marking_rule_h
+
+#include <lumbricus/core/parameter_owner.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * How many cells to refine, those of the largest estimated error, and how
+   * many families of eight cells to merge, those of the smallest.
+   */
+  class MarkingRule : public ParameterOwner
+  {
+  public:
+    struct Counts
+    {
+      std::size_t refined = 0;
+      std::size_t merged  = 0;
+    };
+
+    /** The mesh there is. */
+    struct Mesh
+    {
+      std::size_t n_cells    = 0;
+      std::size_t n_unknowns = 0;
+    };
+
+    /**
+     * @param of_cells eta_K^2 of the cells that may be refined, the largest
+     * first.
+     * @param of_families the sums of eta_K^2 of the families that may be
+     * merged, the smallest first.
+     */
+    virtual Counts
+    counts(const std::vector<double> &of_cells,
+           const std::vector<double> &of_families,
+           const Mesh                &mesh) const = 0;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_adaptivity_state_transfer_h
+#define lumbricus_adaptivity_state_transfer_h
+
+#include <lumbricus/adaptivity/mark_where.h>
+#include <lumbricus/discretization/mixed_space.h>
+
+#include <functional>
+
+namespace lumbricus
+{
+  /**
+   * Refine and coarsen the cells that are marked, and take @p state along.
+   * On a cell that is refined u, p and u_ref stay the functions they are. On
+   * one that is made of eight, u and u_ref are those at its nodes, p is the
+   * projection, and what does not fit at hanging nodes gives way.
+   * @p renumber is called in between, to number the unknowns of @p space anew.
+   * Collective.
+   */
+  void
+  change_mesh(ParallelMesh                &triangulation,
+              const MixedSpace            &space,
+              const std::function<void()> &renumber,
+              State                       &state);
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_discretization_cell_state_h
+#define lumbricus_discretization_cell_state_h
+
+#include <lumbricus/discretization/mixed_space.h>
+
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * The state on one cell, as numbers that mean the same on any mesh and any
+   * number of ranks: u at the 27 nodes, for one component after the other,
+   * the four modes of p, and u_ref as u. Nodes are in the order of FE_Q(2).
+   */
+  struct CellState
+  {
+    static constexpr unsigned int n_displacements = dim * MixedSpace::n_nodes;
+    static constexpr unsigned int pressure_begin  = n_displacements;
+    static constexpr unsigned int rest_begin =
+      n_displacements + MixedSpace::n_pressure_modes;
+    static constexpr unsigned int size = rest_begin + n_displacements;
+  };
+
+
+
+  /** Reads and writes the state cell by cell. */
+  class CellStateAccess
+  {
+  public:
+    explicit CellStateAccess(const MixedSpace &space);
+
+    /** Read that of @p cell, an active one of MixedSpace::dof_handler, out of
+     * @p relevant_solution (ghosted) and @p rest_displacement. */
+    void
+    read(const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+         const Vector                                        &relevant_solution,
+         const Vector                                        &rest_displacement,
+         std::vector<double>                                 &values);
+
+    /** Write @p values to what this rank owns of it in @p state. */
+    void
+    write(const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+          const std::vector<double>                           &values,
+          State                                               &state);
+
+  private:
+    void
+    get_indices(const dealii::DoFHandler<dim>::active_cell_iterator &cell);
+
+    const MixedSpace &space;
+
+    std::vector<dealii::types::global_dof_index> indices;
+    std::vector<dealii::types::global_dof_index> rest_indices;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_program_chain_model_h
+#define lumbricus_program_chain_model_h
+
+#include <lumbricus/checkpoint/checkpoint.h>
+#include <lumbricus/discretization/assembler.h>
+#include <lumbricus/program/run_parameters.h>
+#include <lumbricus/solvers/equilibrium.h>
+
+#include <deal.II/base/timer.h>
+#include <deal.II/distributed/tria.h>
+
+namespace lumbricus
+{
+  /**
+   * The body as a discrete problem: the mesh and everything that lives on it,
+   * from the unknowns to the equilibrium, in the order in which each needs the
+   * ones before it.
+   */
+  class ChainModel
+  {
+  public:
+    ChainModel(RunParameters       &parameters,
+               dealii::TimerOutput &timer,
+               const MPI_Comm       comm);
+
+    /** Make the mesh, that of @p checkpoint where there is one, and all that
+     * lives on it. Throws ExcInput. Collective. */
+    void
+    create(const Checkpoint *checkpoint);
+
+    /** Number the unknowns, after every change of the mesh. Collective. */
+    void
+    number_unknowns();
+
+    /** Make all else that lives on the mesh, after that. Throws ExcInput.
+     * Collective. */
+    void
+    reinit();
+
+    /**
+     * Find the equilibrium at the time of @p state with a hydrostatic liquid,
+     * from @p state on. Throws ExcNotConverged, with @p state left anywhere.
+     * Collective.
+     */
+    ResetIteration::Report
+    solve(State &state);
+
+    /** Between which materials liquid slips along the wall. */
+    IsSlipInterface
+    is_slip_interface() const;
+
+    RunParameters       &parameters;
+    dealii::TimerOutput &timer;
+
+    ParallelMesh   triangulation;
+    MixedSpace     space;
+    ShapeCache     shapes;
+    ReferenceField references;
+    Supports       supports;
+    Assembler      assembler;
+    Equilibrium    equilibrium;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_program_run_log_h
+#define lumbricus_program_run_log_h
+
+#include <lumbricus/core/log.h>
+#include <lumbricus/output/step_record.h>
+#include <lumbricus/solvers/linear_solver.h>
+
+#include <deal.II/base/timer.h>
+
+namespace lumbricus
+{
+  /** The titles of what log_step() writes. */
+  void
+  log_header(Log &log);
+
+  /** A line for a load step that has converged. */
+  void
+  log_step(Log &log, const StepRecord &step, const double end_time);
+
+  /** A line for an adaptation of the mesh. */
+  void
+  log_adaptation(Log &log, const AdaptationRecord &record);
+
+  /** The table of where @p total seconds went, and the largest rank's peak
+   * memory. Collective. */
+  void
+  log_costs(Log                          &log,
+            const dealii::TimerOutput    &timer,
+            const double                  total,
+            const LinearSolverStatistics &statistics,
+            const MPI_Comm                comm);
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/adaptivity/state_transfer.h>
+#include <lumbricus/discretization/cell_state.h>
+
+#include <deal.II/distributed/cell_data_transfer.templates.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_dgp.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/grid/filtered_iterator.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <vector>
+
+namespace lumbricus
+{
+  namespace
+  {
+    using Values       = std::vector<double>;
+    using CellIterator = dealii::Triangulation<dim>::cell_iterator;
+
+    // Where u and u_ref, six scalars, and p begin in a CellState.
+    std::vector<unsigned int>
+    scalars()
+    {
+      std::vector<unsigned int> begins;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (const unsigned int begin : {0u, CellState::rest_begin})
+          begins.push_back(begin + c * MixedSpace::n_nodes);
+      return begins;
+    }
+
+
+
+    // to = M from, or to += M from
+    void
+    multiply(const dealii::FullMatrix<double> &M,
+             const double                     *from,
+             double                           *to)
+    {
+      for (unsigned int i = 0; i < M.m(); ++i)
+        for (unsigned int j = 0; j < M.n(); ++j)
+          to[i] += M(i, j) * from[j];
+    }
+
+
+
+    // From a cell to its children and back.
+    class FamilyTransfer
+    {
+    public:
+      std::vector<Values>
+      to_children(const Values &parent) const
+      {
+        const unsigned int n_children =
+          dealii::GeometryInfo<dim>::max_children_per_cell;
+        std::vector<Values> children(n_children, Values(CellState::size));
+        for (unsigned int c = 0; c < n_children; ++c)
+          {
+            for (const unsigned int begin : scalars())
+              multiply(displacement.get_prolongation_matrix(c),
+                       &parent[begin],
+                       &children[c][begin]);
+            multiply(pressure.get_prolongation_matrix(c),
+                     &parent[CellState::pressure_begin],
+                     &children[c][CellState::pressure_begin]);
+          }
+        return children;
+      }
+
+      Values
+      to_parent(const std::vector<Values> &children) const
+      {
+        Values parent(CellState::size);
+        for (unsigned int c = 0; c < children.size(); ++c)
+          {
+            // A node of the parent is one of each child that it touches.
+            const auto &injection = displacement.get_restriction_matrix(c);
+            for (unsigned int i = 0; i < injection.m(); ++i)
+              for (unsigned int j = 0; j < injection.n(); ++j)
+                if (injection(i, j) > 0.5)
+                  for (const unsigned int begin : scalars())
+                    parent[begin + i] = children[c][begin + j];
+            multiply(pressure.get_restriction_matrix(c),
+                     &children[c][CellState::pressure_begin],
+                     &parent[CellState::pressure_begin]);
+          }
+        return parent;
+      }
+
+    private:
+      const dealii::FE_Q<dim>   displacement{MixedSpace::degree};
+      const dealii::FE_DGP<dim> pressure{MixedSpace::degree - 1};
+    };
+
+
+
+    std::vector<Values>
+    read_all(const MixedSpace &space, const State &state)
+    {
+      Vector relevant(space.locally_owned,
+                      space.locally_relevant,
+                      space.communicator());
+      relevant = state.solution;
+
+      std::vector<Values> values(space.triangulation.n_active_cells());
+      CellStateAccess     access(space);
+      for (const auto &cell : space.dof_handler.active_cell_iterators() |
+                                dealii::IteratorFilters::LocallyOwnedCell())
+        access.read(cell,
+                    relevant,
+                    state.rest_displacement,
+                    values[cell->active_cell_index()]);
+      return values;
+    }
+
+
+
+    void
+    write_all(const MixedSpace          &space,
+              const std::vector<Values> &values,
+              State                     &state)
+    {
+      const double time = state.time;
+      state             = space.initial_state();
+      state.time        = time;
+      CellStateAccess access(space);
+      for (const auto &cell : space.dof_handler.active_cell_iterators() |
+                                dealii::IteratorFilters::LocallyOwnedCell())
+        access.write(cell, values[cell->active_cell_index()], state);
+      state.solution.compress(dealii::VectorOperation::insert);
+      state.rest_displacement.compress(dealii::VectorOperation::insert);
+    }
+
+
+
+    void
+    make_conforming(const MixedSpace &space, State &state)
+    {
+      dealii::AffineConstraints<double> hanging_nodes(space.locally_relevant);
+      dealii::DoFTools::make_hanging_node_constraints(space.dof_handler,
+                                                      hanging_nodes);
+      hanging_nodes.close();
+      hanging_nodes.distribute(state.solution);
+    }
+  } // namespace
+
+
+
+  void
+  change_mesh(ParallelMesh                &triangulation,
+              const MixedSpace            &space,
+              const std::function<void()> &renumber,
+              State                       &state)
+  {
+    const FamilyTransfer family;
+    dealii::parallel::distributed::
+      CellDataTransfer<dim, dim, std::vector<Values>>
+        transfer(
+          triangulation,
+          false,
+          [&](const CellIterator & /*parent*/, const Values &parent) {
+            return family.to_children(parent);
+          },
+          [&](const CellIterator & /*parent*/,
+              const std::vector<Values> &children) {
+            return family.to_parent(children);
+          });
+
+    const auto before = read_all(space, state);
+    triangulation.prepare_coarsening_and_refinement();
+    transfer.prepare_for_coarsening_and_refinement(before);
+    triangulation.execute_coarsening_and_refinement();
+    renumber();
+
+    std::vector<Values> after(triangulation.n_active_cells());
+    transfer.unpack(after);
+    write_all(space, after, state);
+    make_conforming(space, state);
+  }
+} // namespace lumbricus

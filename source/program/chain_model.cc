@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/program/chain_model.h>
+
+namespace lumbricus
+{
+  ChainModel::ChainModel(RunParameters       &parameters,
+                         dealii::TimerOutput &timer,
+                         const MPI_Comm       comm)
+    : parameters(parameters)
+    , timer(timer)
+    , triangulation(comm)
+    , space(triangulation)
+    , shapes(space)
+    , references(space,
+                 shapes,
+                 parameters.anatomy,
+                 parameters.reset_iteration.mode())
+    , supports(space,
+               parameters.anatomy,
+               parameters.interface_coupling,
+               parameters.boundary_conditions)
+    , assembler(space,
+                shapes,
+                parameters.anatomy,
+                parameters.boundary_conditions,
+                references,
+                supports)
+    , equilibrium(space,
+                  shapes,
+                  parameters.anatomy,
+                  assembler,
+                  supports,
+                  *parameters.linear_solver.get(),
+                  timer)
+  {}
+
+
+
+  void
+  ChainModel::create(const Checkpoint *checkpoint)
+  {
+    parameters.anatomy.geometry().create_coarse_mesh(triangulation);
+    if (checkpoint != nullptr)
+      checkpoint->refine(triangulation);
+    else
+      parameters.mesh_refinement.refine(triangulation, is_slip_interface());
+    space.set_finest_curved_level(
+      parameters.mesh_refinement.n_global_refinements());
+    number_unknowns();
+    reinit();
+    parameters.try_expressions(triangulation);
+  }
+
+
+
+  void
+  ChainModel::number_unknowns()
+  {
+    space.distribute_dofs(
+      parameters.interface_coupling.slips() ?
+        MixedSpace::Separate([this](const dealii::types::material_id id) {
+          return parameters.anatomy.is_liquid(Region::of(id).tissue);
+        }) :
+        MixedSpace::Separate());
+  }
+
+
+
+  void
+  ChainModel::reinit()
+  {
+    shapes.reinit();
+    references.reinit();
+    supports.reinit();
+    equilibrium.reinit();
+  }
+
+
+
+  ResetIteration::Report
+  ChainModel::solve(State &state)
+  {
+    references.update(state);
+    parameters.boundary_conditions.try_expressions(triangulation, {state.time});
+    equilibrium.set_time(state.time, state.solution);
+    return parameters.reset_iteration.solve(state,
+                                            equilibrium,
+                                            parameters.newton,
+                                            references,
+                                            space,
+                                            shapes,
+                                            parameters.anatomy);
+  }
+
+
+
+  IsSlipInterface
+  ChainModel::is_slip_interface() const
+  {
+    const bool  slips   = parameters.interface_coupling.slips();
+    const auto &anatomy = parameters.anatomy;
+    return [slips, &anatomy](const dealii::types::material_id one_side,
+                             const dealii::types::material_id other_side) {
+      return slips && anatomy.is_liquid(Region::of(one_side).tissue) !=
+                        anatomy.is_liquid(Region::of(other_side).tissue);
+    };
+  }
+} // namespace lumbricus

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/adaptivity/mesh_record.h>
+#include <lumbricus/adaptivity/state_transfer.h>
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/interruption.h>
+#include <lumbricus/discretization/state_record.h>
+#include <lumbricus/program/mesh_adaptation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace lumbricus
+{
+  namespace
+  {
+    // A mesh and the state on it, to go back to.
+    class Backup
+    {
+    public:
+      Backup(const ChainModel &model, const State &state)
+        : refined(refined_cells(model.triangulation))
+        , time(state.time)
+      {
+        std::ostringstream out;
+        write_cells(model.space, state, out);
+        cells = out.str();
+      }
+
+      void
+      restore(ChainModel &model, State &state) const
+      {
+        coarsen_completely(model.triangulation);
+        refine_cells(model.triangulation, refined);
+        model.number_unknowns();
+        model.reinit();
+
+        state      = model.space.initial_state();
+        state.time = time;
+        // Cells may have come to other ranks.
+        for (const std::string &of_rank :
+             dealii::Utilities::MPI::all_gather(model.space.communicator(),
+                                                cells))
+          {
+            std::istringstream in(of_rank);
+            read_cells(model.space, in, state);
+          }
+        state.solution.compress(dealii::VectorOperation::insert);
+        state.rest_displacement.compress(dealii::VectorOperation::insert);
+      }
+
+      const std::set<CellKey> refined;
+
+    private:
+      const double time;
+      std::string  cells;
+    };
+
+
+
+    std::size_t
+    n_not_in(const std::set<CellKey> &others, const std::set<CellKey> &cells)
+    {
+      return std::count_if(cells.begin(), cells.end(), [&](const auto &cell) {
+        return others.count(cell) == 0;
+      });
+    }
+
+
+
+    double
+    relative_change(const double before, const double after)
+    {
+      const double larger = std::max(std::abs(before), std::abs(after));
+      return larger > 0. ? std::abs(after - before) / larger : 0.;
+    }
+
+
+
+    void
+    compare(const std::vector<SegmentState> &before,
+            const std::vector<SegmentState> &after,
+            AdaptationRecord                &record)
+    {
+      for (unsigned int s = 0; s < before.size(); ++s)
+        {
+          record.volume_change = std::max(
+            {record.volume_change,
+             relative_change(before[s].liquid_volume, after[s].liquid_volume),
+             relative_change(before[s].wall_volume, after[s].wall_volume)});
+          record.pressure_change =
+            std::max(record.pressure_change,
+                     relative_change(before[s].mean_pressure(),
+                                     after[s].mean_pressure()));
+        }
+    }
+
+
+
+    // Estimate the error of a state and mark cells.
+    void
+    mark(ChainModel &model, const State &state, AdaptationRecord &record)
+    {
+      const Adaptivity &adaptivity = model.parameters.adaptivity;
+      CellFields        fields(model.space,
+                        model.shapes,
+                        model.parameters.anatomy,
+                        model.references);
+      fields.reinit();
+      fields.update(state.solution);
+      const ErrorEstimate estimate = estimate_errors(adaptivity.estimator(),
+                                                     fields,
+                                                     model.space,
+                                                     model.parameters.anatomy);
+      record.estimated_error       = estimate.relative;
+      record.any                   = adaptivity.mark(estimate,
+                                   model.space.dof_handler.n_dofs(),
+                                   model.is_slip_interface(),
+                                   model.triangulation);
+    }
+
+
+
+    // Refine and coarsen what is marked, and take the state along.
+    void
+    change_mesh(ChainModel &model, State &state)
+    {
+      do
+        change_mesh(
+          model.triangulation,
+          model.space,
+          [&]() { model.number_unknowns(); },
+          state);
+      while (mark_where(model.triangulation, [&](const auto &cell) {
+        return coarser_across_interface(cell, model.is_slip_interface());
+      }));
+      model.reinit();
+    }
+  } // namespace
+
+
+
+  AdaptationRecord
+  adapt_mesh(ChainModel                  &model,
+             State                       &state,
+             const ResetIteration::Solve &last,
+             Log                         &log)
+  {
+    // A safe point is where the step is done, on one mesh.
+    const Uninterrupted uninterrupted;
+    AdaptationRecord    record;
+    {
+      dealii::TimerOutput::Scope scope(model.timer, "error estimate");
+      mark(model, state, record);
+    }
+    if (record.any)
+      {
+        const Backup backup(model, state);
+        std::string  trouble;
+        try
+          {
+            {
+              dealii::TimerOutput::Scope scope(model.timer, "new mesh");
+              change_mesh(model, state);
+            }
+            record.report    = model.solve(state);
+            record.converged = true;
+            compare(last.segments,
+                    record.report.solves.back().segments,
+                    record);
+            const auto refined = refined_cells(model.triangulation);
+            record.n_refined   = n_not_in(backup.refined, refined);
+            record.n_coarsened = n_not_in(refined, backup.refined);
+          }
+        catch (const ExcNotConverged &exception)
+          {
+            trouble = plain_message(exception);
+          }
+        catch (const ExcInput &exception)
+          {
+            // An expression without a value at a new point.
+            trouble = plain_message(exception);
+          }
+        if (!trouble.empty())
+          {
+            log << "        the mesh stays as it was: " << trouble << "\n";
+            backup.restore(model, state);
+          }
+      }
+    record.n_cells    = model.triangulation.n_global_active_cells();
+    record.n_unknowns = model.space.dof_handler.n_dofs();
+    return record;
+  }
+} // namespace lumbricus
