@@ -40,20 +40,6 @@ namespace lumbricus
     {
       return Region::of(cell->material_id()).tissue;
     }
-
-
-
-    bool
-    at_slip_interface(const ParallelMesh::cell_iterator &cell,
-                      const IsSlipInterface             &is_slip_interface)
-    {
-      for (const unsigned int f : cell->face_indices())
-        if (!cell->at_boundary(f) &&
-            is_slip_interface(cell->material_id(),
-                              cell->neighbor(f)->material_id()))
-          return true;
-      return false;
-    }
   } // namespace
 
 

@@ -86,18 +86,4 @@ namespace lumbricus
     });
     throw_on_all_ranks<ExcInput>(message, triangulation.get_communicator());
   }
-
-
-
-  bool
-  coarser_across_interface(const ParallelMesh::active_cell_iterator &cell,
-                           const IsSlipInterface &is_slip_interface)
-  {
-    for (const unsigned int f : cell->face_indices())
-      if (!cell->at_boundary(f) && cell->neighbor(f)->has_children() &&
-          is_slip_interface(cell->material_id(),
-                            cell->neighbor(f)->material_id()))
-        return true;
-    return false;
-  }
 } // namespace lumbricus

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/adaptivity/cell_cost.h>
 #include <lumbricus/program/chain_model.h>
 
 namespace lumbricus
@@ -32,7 +33,12 @@ namespace lumbricus
                   supports,
                   *parameters.linear_solver.get(),
                   timer)
-  {}
+  {
+    triangulation.signals.weight.connect(
+      [this](const ParallelMesh::cell_iterator &cell, const auto /*status*/) {
+        return cell_cost(cell, is_slip_interface());
+      });
+  }
 
 
 
