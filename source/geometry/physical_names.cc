@@ -177,40 +177,47 @@ namespace lumbricus
     void
     Naming::name_tissues()
     {
-      std::map<std::string, unsigned int> index;
-      for (auto &cell : mesh.cells)
+      std::set<unsigned int> used;
+      for (const auto &cell : mesh.cells)
         {
-          const auto name = file.volume_names.find(cell.material_id);
-          if (name == file.volume_names.end())
-            {
-              dealii::Point<dim> center;
-              for (const unsigned int v : cell.vertices)
-                center += mesh.vertices[v] / 8.;
-              fail(" has cells that are in no physical volume with a name, as "
-                   "that at " +
-                   point_text(center) +
-                   ". Give every volume a name as in 'Physical "
-                   "Volume(\"wall\") = {1};', and leave out "
-                   "'Mesh.SaveAll'.");
-            }
-          const auto [tissue, segment] = tissue_and_segment(name->second);
+          used.insert(cell.material_id);
+          if (file.volume_names.count(cell.material_id) > 0)
+            continue;
+          dealii::Point<dim> center;
+          for (const unsigned int v : cell.vertices)
+            center += mesh.vertices[v] / 8.;
+          fail(" has cells that are in no physical volume with a name, as "
+               "that at " +
+               point_text(center) +
+               ". Give every volume a name as in 'Physical "
+               "Volume(\"wall\") = {1};', and leave out 'Mesh.SaveAll'.");
+        }
+
+      // Tissues are numbered in the order of the tags.
+      std::map<std::string, unsigned int> index;
+      std::map<unsigned int, Region>      region_of_tag;
+      for (const auto &[tag, name] : file.volume_names)
+        {
+          if (used.count(tag) == 0)
+            continue;
+          const auto [tissue, segment] = tissue_and_segment(name);
           if (tissue.empty() || segment == 0)
-            fail(" has a physical volume '" + name->second +
+            fail(" has a physical volume '" + name +
                  "'. The name has to be that of a tissue, with the number of "
                  "the segment, from 1, after it, as in 'wall 2'.");
-          if (index.count(tissue) == 0)
-            {
-              index.insert({tissue, mesh.tissues.size()});
-              mesh.tissues.push_back({tissue, false, false});
-            }
+          if (index.insert({tissue, mesh.tissues.size()}).second)
+            mesh.tissues.push_back({tissue, false, false});
           segments.insert(segment);
-          cell.material_id = Region{segment - 1, index[tissue]}.material_id();
+          region_of_tag[tag] = {segment - 1, index[tissue]};
         }
       if (mesh.tissues.size() > Region::max_n_tissues)
         fail(" has " + std::to_string(mesh.tissues.size()) +
              " tissues; there can be " + std::to_string(Region::max_n_tissues) +
              ". The number of a segment has to be the last word of the name "
              "of a physical volume, as in 'wall 2'.");
+
+      for (auto &cell : mesh.cells)
+        cell.material_id = region_of_tag[cell.material_id].material_id();
 
       std::set<std::string> names;
       for (const auto &entry : index)
