@@ -5,10 +5,12 @@ import math
 import os
 import pathlib
 import re
+import shutil
 import subprocess
+import sys
 
 import pytest
-from lumbricus_run import run_well
+from lumbricus_run import SOURCE, run_well
 
 HERE = pathlib.Path(__file__).parent
 LAYERS = "longitudinal muscle, circular muscle"
@@ -41,13 +43,18 @@ def assert_same_numbers(a, b, columns, tolerance):
                                                 abs=tolerance)
 
 
-@pytest.mark.parametrize("base, layers, version, ranks", [
-    ("segment.prm", "wall", "2.2", 1),
-    ("segment.prm", "wall", "4.1", 2),
-    ("chain.prm", LAYERS, "4.1", 1),
+@pytest.mark.parametrize("base, layers, version, coupling, ranks", [
+    ("segment.prm", "wall", "2.2", "tied", 1),
+    ("segment.prm", "wall", "4.1", "tied", 2),
+    ("segment.prm", "wall", "4.1", "slip", 1),
+    ("chain.prm", LAYERS, "4.1", "tied", 1),
 ])
-def test_same_body_from_a_mesh_file(base, layers, version, ranks, tmp_path):
-    settings = ["Reset/Tolerance=1e-5", "Time/End=0.2"]
+def test_same_body_from_a_mesh_file(base, layers, version, coupling, ranks,
+                                    tmp_path):
+    settings = ["Reset/Tolerance=1e-5", "Time/End=0.2",
+                "Interface/Coupling=" + coupling]
+    if coupling == "slip":
+        settings += ["Reset/Tolerance=1e-3", "Time/Largest step=0.1"]
     base = HERE / base
     if base.name == "chain.prm":
         # Of equal segments: the file says of a face whether it is round, and
@@ -68,6 +75,32 @@ def test_same_body_from_a_mesh_file(base, layers, version, ranks, tmp_path):
     # It has moved.
     assert from_file.last()["mid_radius"] < \
         0.99 * from_file.segments()[0]["mid_radius"]
+
+
+def test_case_of_the_gallery(tmp_path):
+    """Its files fit together, and its liquid and its wall keep their volume."""
+    folder = SOURCE / "parameters" / "mesh_file"
+    copy = tmp_path / "fibres"
+    copy.mkdir()
+    for name in ("body.msh", "fibres.py"):
+        shutil.copy(folder / name, copy)
+    subprocess.run([sys.executable, str(copy / "fibres.py")], check=True)
+    assert (copy / "fibres.csv").read_text() == \
+        (folder / "fibres.csv").read_text()
+
+    result = run_well(folder / "case.prm", tmp_path / "out", [
+        f"Geometry/mesh file/File={folder / 'body.msh'}",
+        f"Muscles/longitudinal/file/File={folder / 'fibres.csv'}",
+        "Time/End=0.2"], ranks=2)
+    first, last = result.segments()[0], result.last()
+    assert first["length"] == pytest.approx(6, rel=1e-12)
+    assert first["fluid_volume"] == pytest.approx(107.5217, rel=1e-6)
+    assert first["wall_volume"] == pytest.approx(41.04897, rel=1e-6)
+    for volume in ("fluid_volume", "wall_volume"):
+        assert last[volume] == pytest.approx(first[volume], rel=1e-10)
+    assert last["length"] == pytest.approx(6.2368, rel=1e-3)
+    assert last["mid_radius"] == pytest.approx(1.9595, rel=1e-3)
+    assert last["fluid_pressure"] == pytest.approx(0.006727, rel=1e-2)
 
 
 def test_mesh_without_planes_has_no_length(tmp_path):
