@@ -2,7 +2,7 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/patterns.h>
 #include <lumbricus/core/registry.h>
-#include <lumbricus/geometry/physical_names.h>
+#include <lumbricus/geometry/named_mesh.h>
 
 #include <deal.II/grid/manifold_lib.h>
 

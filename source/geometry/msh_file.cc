@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/core/exceptions.h>
 #include <lumbricus/geometry/msh_file.h>
+#include <lumbricus/geometry/msh_lines.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 namespace lumbricus
@@ -34,8 +31,6 @@ namespace lumbricus
       {92, "hexahedra of third order"},
       {93, "hexahedra of fourth order"}};
 
-    const std::string how_to_write =
-      "Write it with 'Mesh.MshFileVersion = 4.1;' and 'Mesh.Binary = 0;'.";
     const std::string how_to_mesh =
       "Mesh with hexahedra: in Gmsh by 'Transfinite' and 'Recombine' "
       "('Mesh.RecombineAll = 1;'), by 'Extrude' with 'Recombine', or from "
@@ -47,93 +42,28 @@ namespace lumbricus
 
 
 
-    // Reads a file line by line, sections first.
+    // Reads a file section by section.
     class Reader
     {
     public:
-      Reader(const std::string &parameter, const std::string &file_name)
-        : in(file_name)
-        , begin("Parameter '" + parameter + "': the mesh file '" + file_name +
-                "'")
+      explicit Reader(MshLines &in)
+        : in(in)
       {
-        AssertThrow(in && !std::filesystem::is_directory(file_name),
-                    ExcInput(begin +
-                             " cannot be read. Give the path of a .msh file of "
-                             "Gmsh, from the working directory."));
         // Nothing in a section of a binary file is a line.
         check_format();
-        while (next_line())
-          read_section(dealii::Utilities::trim(line));
+        while (in.next())
+          read_section(in.trimmed());
       }
 
       MshFile
       result();
 
     private:
-      [[noreturn]] void
-      fail(const std::string &what) const
-      {
-        throw ExcInput(begin + what);
-      }
-
-      [[noreturn]] void
-      fail_in_line(const std::string &what) const
-      {
-        fail(", line " + std::to_string(number) + ", " + what);
-      }
-
-      // The next line that is not blank, if there is one.
-      bool
-      next_line()
-      {
-        while (std::getline(in, line))
-          {
-            ++number;
-            if (line.find_first_not_of(" \t\r") != std::string::npos)
-              {
-                words.clear();
-                words.str(line);
-                return true;
-              }
-          }
-        return false;
-      }
-
-      void
-      need_line()
-      {
-        if (!next_line())
-          fail(" ends too early, in line " + std::to_string(number) +
-               ". Write it again.");
-      }
-
-      // The next number in the line.
-      template <typename T>
-      T
-      get()
-      {
-        T value;
-        if (!(words >> value))
-          fail_in_line("'" + dealii::Utilities::trim(line) +
-                       "', has no number where one belongs. " + how_to_write);
-        return value;
-      }
-
-      // A number of things or of a node.
-      std::size_t
-      get_count()
-      {
-        const auto value = get<long long>();
-        if (value < 0)
-          fail_in_line("has a number < 0 where none belongs. " + how_to_write);
-        return value;
-      }
-
       // Tags are negative where a surface is turned around.
       unsigned int
       get_tag()
       {
-        return std::abs(get<int>());
+        return std::abs(in.get<int>());
       }
 
       void
@@ -160,12 +90,14 @@ namespace lumbricus
       void
       add_element(const unsigned int type, const unsigned int tag);
 
-      std::ifstream      in;
-      const std::string  begin;
-      std::string        line;
-      std::istringstream words;
-      std::size_t        number   = 0;
-      bool               version4 = false;
+      void
+      check_elements() const;
+
+      void
+      keep_used_vertices();
+
+      MshLines &in;
+      bool      version4 = false;
 
       MshFile file;
       bool    has_names = false;
@@ -180,19 +112,20 @@ namespace lumbricus
     void
     Reader::check_format()
     {
-      if (!next_line() || line.compare(0, 11, "$MeshFormat") != 0)
-        fail(" is not a file of Gmsh: it does not begin with '$MeshFormat'. " +
-             how_to_write);
-      need_line();
-      const auto version = get<double>();
+      if (!in.next() || in.trimmed() != "$MeshFormat")
+        in.fail(
+          " is not a file of Gmsh: it does not begin with '$MeshFormat'. " +
+          MshLines::how_to_write);
+      in.need();
+      const auto version = in.get<double>();
       version4           = std::abs(version - 4.1) < 1e-6;
       if (!version4 && !(version > 1.9 && version < 2.9))
-        fail(" has Gmsh's format " +
-             dealii::Utilities::trim(line.substr(0, line.find(' '))) +
-             "; the formats 2.2 and 4.1 can be read. " + how_to_write);
-      if (get<int>() != 0)
-        fail(" is binary; text can be read. " + how_to_write);
-      need_line();
+        in.fail(" has Gmsh's format " + in.first_word() +
+                "; the formats 2.2 and 4.1 can be read. " +
+                MshLines::how_to_write);
+      if (in.get<int>() != 0)
+        in.fail(" is binary; text can be read. " + MshLines::how_to_write);
+      in.need();
     }
 
 
@@ -209,15 +142,16 @@ namespace lumbricus
       else if (name == "$Elements")
         read_elements();
       else if (name == "$PartitionedEntities")
-        fail(" has been partitioned. Write it without partitions: the program "
-             "makes its own.");
+        in.fail(
+          " has been partitioned. Write it without partitions: the program "
+          "makes its own.");
       else if (name.empty() || name[0] != '$')
-        fail_in_line("'" + name + "', is not the begin of a section. " +
-                     how_to_write);
+        in.fail_in_line("'" + name + "', is not the begin of a section. " +
+                        MshLines::how_to_write);
 
       const std::string end = "$End" + name.substr(1);
-      while (dealii::Utilities::trim(line) != end)
-        need_line();
+      while (in.trimmed() != end)
+        in.need();
     }
 
 
@@ -225,15 +159,16 @@ namespace lumbricus
     void
     Reader::read_names()
     {
-      need_line();
-      for (std::size_t n = get_count(); n > 0; --n)
+      in.need();
+      for (std::size_t n = in.get_count(); n > 0; --n)
         {
-          need_line();
-          const auto dimension = get<int>();
-          const auto tag       = get_tag();
-          const auto first = line.find('"'), last = line.rfind('"');
+          in.need();
+          const auto        dimension = in.get<int>();
+          const auto        tag       = get_tag();
+          const std::string line      = in.trimmed();
+          const auto        first = line.find('"'), last = line.rfind('"');
           if (first == last)
-            fail_in_line("has no name in quotation marks.");
+            in.fail_in_line("has no name in quotation marks.");
           const std::string name =
             dealii::Utilities::trim(line.substr(first + 1, last - first - 1));
           if (dimension == 3)
@@ -249,23 +184,24 @@ namespace lumbricus
     void
     Reader::read_entities()
     {
-      need_line();
+      in.need();
       std::array<std::size_t, 4> n_entities;
       for (std::size_t &n : n_entities)
-        n = get_count();
+        n = in.get_count();
       for (unsigned int d = 0; d < n_entities.size(); ++d)
         for (std::size_t n = n_entities[d]; n > 0; --n)
           {
-            need_line();
-            const auto entity = get<int>();
+            in.need();
+            const auto entity = in.get<int>();
             // A point, or the corners of a box.
             for (unsigned int i = 0; i < (d == 0 ? 3 : 6); ++i)
-              get<double>();
-            const std::size_t n_tags = get_count();
+              in.get<double>();
+            const std::size_t n_tags = in.get_count();
             if (n_tags > 1 && d >= 2)
-              fail_in_line((d == 2 ? "has a surface" : "has a volume") +
-                           std::string(" in two physical groups. Put it into "
-                                       "one."));
+              in.fail_in_line(
+                (d == 2 ? "has a surface" : "has a volume") +
+                std::string(" in two physical groups. Put it into "
+                            "one."));
             if (n_tags == 1)
               tags[{d, entity}] = get_tag();
           }
@@ -276,30 +212,30 @@ namespace lumbricus
     void
     Reader::read_nodes()
     {
-      need_line();
+      in.need();
       if (!version4)
         {
-          for (std::size_t n = get_count(); n > 0; --n)
+          for (std::size_t n = in.get_count(); n > 0; --n)
             {
-              need_line();
-              add_node(get_count());
+              in.need();
+              add_node(in.get_count());
             }
           return;
         }
-      for (std::size_t n_blocks = get_count(); n_blocks > 0; --n_blocks)
+      for (std::size_t n_blocks = in.get_count(); n_blocks > 0; --n_blocks)
         {
-          need_line();
+          in.need();
           for (unsigned int i = 0; i < 3; ++i)
-            get<int>();
-          std::vector<std::size_t> nodes(get_count());
+            in.get<int>();
+          std::vector<std::size_t> nodes(in.get_count());
           for (std::size_t &node : nodes)
             {
-              need_line();
-              node = get_count();
+              in.need();
+              node = in.get_count();
             }
           for (const std::size_t node : nodes)
             {
-              need_line();
+              in.need();
               add_node(node);
             }
         }
@@ -312,7 +248,7 @@ namespace lumbricus
     {
       dealii::Point<dim> X;
       for (unsigned int d = 0; d < dim; ++d)
-        X[d] = get<double>();
+        X[d] = in.get<double>();
       vertex_of_node[node] = file.vertices.size();
       file.vertices.push_back(X);
     }
@@ -322,16 +258,16 @@ namespace lumbricus
     void
     Reader::read_elements()
     {
-      need_line();
+      in.need();
       if (!version4)
         {
-          for (std::size_t n = get_count(); n > 0; --n)
+          for (std::size_t n = in.get_count(); n > 0; --n)
             {
-              need_line();
-              get_count();
-              const auto   type = get<unsigned int>();
+              in.need();
+              in.get_count();
+              const auto   type = in.get<unsigned int>();
               unsigned int tag  = 0;
-              for (std::size_t i = 0, n_tags = get_count(); i < n_tags; ++i)
+              for (std::size_t i = 0, n_tags = in.get_count(); i < n_tags; ++i)
                 {
                   const unsigned int other = get_tag();
                   tag                      = i == 0 ? other : tag;
@@ -340,18 +276,18 @@ namespace lumbricus
             }
           return;
         }
-      for (std::size_t n_blocks = get_count(); n_blocks > 0; --n_blocks)
+      for (std::size_t n_blocks = in.get_count(); n_blocks > 0; --n_blocks)
         {
-          need_line();
-          const auto dimension = get<int>();
-          const auto entity    = get<int>();
-          const auto type      = get<unsigned int>();
+          in.need();
+          const auto dimension = in.get<int>();
+          const auto entity    = in.get<int>();
+          const auto type      = in.get<unsigned int>();
           const auto found     = tags.find({dimension, entity});
           const auto tag       = found == tags.end() ? 0 : found->second;
-          for (std::size_t n = get_count(); n > 0; --n)
+          for (std::size_t n = in.get_count(); n > 0; --n)
             {
-              need_line();
-              get_count();
+              in.need();
+              in.get_count();
               add_element(type, tag);
             }
         }
@@ -363,9 +299,10 @@ namespace lumbricus
     Reader::add_element(const unsigned int type, const unsigned int tag)
     {
       const auto vertex = [&]() {
-        const auto found = vertex_of_node.find(get_count());
+        const auto found = vertex_of_node.find(in.get_count());
         if (found == vertex_of_node.end())
-          fail_in_line("names a node the file does not have. Write it again.");
+          in.fail_in_line(
+            "names a node the file does not have. Write it again.");
         return found->second;
       };
 
@@ -395,28 +332,35 @@ namespace lumbricus
 
 
 
-    MshFile
-    Reader::result()
+    void
+    Reader::check_elements() const
     {
       for (const auto &[what, n] : n_unusable)
         if (what.find("order") == std::string::npos)
-          fail(" has " + std::to_string(n) + " " + what +
-               "; only hexahedra can be used. " + how_to_mesh);
+          in.fail(" has " + std::to_string(n) + " " + what +
+                  "; only hexahedra can be used. " + how_to_mesh);
         else
-          fail(" has " + std::to_string(n) + " " + what +
-               "; only hexahedra of eight nodes can be used. Set "
-               "'Mesh.ElementOrder = 1;'. Round surfaces become round by the "
-               "parameter 'Round surfaces'.");
+          in.fail(
+            " has " + std::to_string(n) + " " + what +
+            "; only hexahedra of eight nodes can be used. Set "
+            "'Mesh.ElementOrder = 1;'. Round surfaces become round by the "
+            "parameter 'Round surfaces'.");
       if (file.cells.empty())
-        fail(" has no volume elements. Mesh the volumes (gmsh -3), and put "
-             "each into a 'Physical Volume': Gmsh leaves out what is in no "
-             "physical group. " +
-             how_to_mesh);
+        in.fail(" has no volume elements. Mesh the volumes (gmsh -3), and put "
+                "each into a 'Physical Volume': Gmsh leaves out what is in no "
+                "physical group. " +
+                how_to_mesh);
       if (!has_names)
-        fail(" has no physical names, so nothing says what its cells are. Give "
-             "every volume a name as in 'Physical Volume(\"wall\") = {1};'.");
+        in.fail(
+          " has no physical names, so nothing says what its cells are. Give "
+          "every volume a name as in 'Physical Volume(\"wall\") = {1};'.");
+    }
 
-      // Keep the vertices of cells only.
+
+
+    void
+    Reader::keep_used_vertices()
+    {
       std::vector<unsigned int> new_number(
         file.vertices.size(), dealii::numbers::invalid_unsigned_int);
       std::vector<dealii::Point<dim>> used;
@@ -440,6 +384,15 @@ namespace lumbricus
             v = new_number[v];
           std::sort(face.vertices.begin(), face.vertices.end());
         }
+    }
+
+
+
+    MshFile
+    Reader::result()
+    {
+      check_elements();
+      keep_used_vertices();
       return std::move(file);
     }
   } // namespace
@@ -449,6 +402,7 @@ namespace lumbricus
   MshFile
   read_msh_file(const std::string &parameter, const std::string &file_name)
   {
-    return Reader(parameter, file_name).result();
+    MshLines lines(parameter, file_name);
+    return Reader(lines).result();
   }
 } // namespace lumbricus

@@ -54,7 +54,8 @@ def test_same_body_from_a_mesh_file(base, layers, version, coupling, ranks,
     settings = ["Reset/Tolerance=1e-5", "Time/End=0.2",
                 "Interface/Coupling=" + coupling]
     if coupling == "slip":
-        settings += ["Reset/Tolerance=1e-3", "Time/Largest step=0.1"]
+        settings += ["Reset/Tolerance=1e-3", "Time/First step=0.1",
+                     "Time/Largest step=0.1"]
     base = HERE / base
     if base.name == "chain.prm":
         # Of equal segments: the file says of a face whether it is round, and

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef lumbricus_geometry_physical_names_h
-#define lumbricus_geometry_physical_names_h
+#ifndef lumbricus_geometry_named_mesh_h
+#define lumbricus_geometry_named_mesh_h
 
 #include <lumbricus/geometry/geometry.h>
 #include <lumbricus/geometry/mesh_faces.h>
