@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -77,9 +78,14 @@ namespace lumbricus
     void
     add(const std::vector<std::string> &words, const unsigned int number);
 
-    /** How far from the nearest point there still is a direction. */
+    /** How far from the nearest point there still is a direction, unless the
+     * user says. Throws ExcInput where two points are the same. */
     double
     natural_reach() const;
+
+    /** The message on a point that is beyond the reach. */
+    std::string
+    too_far(const dealii::Point<dim> &X, const Entry &nearest) const;
 
     std::string file_name;
     double      given_reach = 0.;
@@ -122,8 +128,9 @@ namespace lumbricus
   {
     parameter = "Muscles/" + muscle + "/file/";
     read();
-    tree  = dealii::pack_rtree(points);
-    reach = given_reach > 0. ? given_reach : natural_reach();
+    tree                 = dealii::pack_rtree(points);
+    const double natural = natural_reach();
+    reach                = given_reach > 0. ? given_reach : natural;
   }
 
 
@@ -235,24 +242,32 @@ namespace lumbricus
 
 
 
+  std::string
+  FibresFromFile::too_far(const dealii::Point<dim> &X,
+                          const Entry              &nearest) const
+  {
+    std::ostringstream message;
+    message << "Parameter '" << parameter << "File': the file '" << file_name
+            << "' lacks the part of the muscle around the point "
+            << point_text(X) << ". Its nearest point, "
+            << point_text(nearest.first) << " in line "
+            << line_numbers[nearest.second] << ", is "
+            << X.distance(nearest.first) << " mm away, and the reach is "
+            << reach << " mm. Add a line for every cell of the muscle, or set '"
+            << parameter << "Reach' if the fibres there are as in that line.";
+    return message.str();
+  }
+
+
+
   dealii::Tensor<1, dim>
   FibresFromFile::direction(const dealii::Point<dim> &X) const
   {
     std::vector<Entry> nearest;
     tree.query(boost::geometry::index::nearest(X, 1),
                std::back_inserter(nearest));
-    const double       distance = X.distance(nearest.front().first);
-    std::ostringstream message;
-    if (!(distance <= reach))
-      message << "Parameter '" << parameter << "File': the file '" << file_name
-              << "' lacks the part of the muscle around the point "
-              << point_text(X) << ". Its nearest point, "
-              << point_text(nearest.front().first) << " in line "
-              << line_numbers[nearest.front().second] << ", is " << distance
-              << " mm away, and the reach is " << reach
-              << " mm. Add a line for every cell of the muscle, or set '"
-              << parameter << "Reach' if the fibres there are as in that line.";
-    AssertThrow(message.str().empty(), ExcInput(message.str()));
+    AssertThrow(X.distance(nearest.front().first) <= reach,
+                ExcInput(too_far(X, nearest.front())));
     return directions[nearest.front().second];
   }
 
