@@ -9,6 +9,7 @@ and Matplotlib (with Pillow), no display.
 import argparse
 import io
 import pathlib
+import re
 import sys
 
 import matplotlib
@@ -21,8 +22,8 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 from PIL import Image
 
-from run_output import (read_parameters, read_series, read_solution,
-                        read_table)
+from run_output import (read_parameters, read_physical_names, read_series,
+                        read_solution, read_table)
 
 N_SUBDIVISIONS = 4  # quadrilaterals along an edge of a drawn face
 LIQUID_COLOURS = plt.get_cmap("YlGnBu")
@@ -66,11 +67,21 @@ class Body:
         if shape == "block":
             axes = [s.strip() for s in get("Symmetry").split(",")]
             self.mirrors = [d for d, a in enumerate("xyz") if a in axes]
+        self.round = shape != "block"
+        if shape == "mesh file":
+            volumes, surfaces = read_physical_names(get("File"))
+            self.mirrors = [d for d, a in enumerate("xyz")
+                            if "symmetry " + a in surfaces]
+            liquids = [s.strip() for s in get("Liquid tissues").split(",")]
+            tissues = list(dict.fromkeys(re.sub(r"\s+\d+$", "", name)
+                                         for name in volumes))
+            self.liquid_tissues = [i for i, name in enumerate(tissues)
+                                   if name in liquids]
+            return
         has_liquid = {"segment chain": "true",
                       "open cylinder": get("Filled"),
                       "block": get("Liquid")}[shape] == "true"
-        self.liquid_tissue = 0 if has_liquid else -1
-        self.round = shape != "block"
+        self.liquid_tissues = [0] if has_liquid else []
 
 
 def mirrored(fields, d):
@@ -187,7 +198,7 @@ class Drawing:
                        for plane in planes_of_cut(faces, body))
         self.on_cut, self.on_floor = wall | floor, floor
         self.liquid = np.repeat(
-            np.round(faces["tissue"][:, 1, 1]) == body.liquid_tissue,
+            np.isin(np.round(faces["tissue"][:, 1, 1]), body.liquid_tissues),
             per_face)[order]
         self.polygons = VIEW.project(quads[order])
         self.normals = normals[order]

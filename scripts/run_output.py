@@ -37,6 +37,18 @@ def read_parameters(folder):
     return values
 
 
+def read_physical_names(mesh_file):
+    """The names of the volumes and of the surfaces in a mesh of Gmsh, each in
+    the order of their tags."""
+    names = {2: {}, 3: {}}
+    text = pathlib.Path(mesh_file).read_text()
+    text = text[:text.index("$EndPhysicalNames")]
+    for dimension, tag, name in re.findall(r'^(\d) (\d+) "(.*)"', text, re.M):
+        names.setdefault(int(dimension), {})[int(tag)] = name.strip()
+    return tuple([name for _, name in sorted(names[d].items())]
+                 for d in (3, 2))
+
+
 def read_table(file_name):
     """The columns of a CSV table by name."""
     table = np.genfromtxt(file_name, delimiter=",", names=True, ndmin=1)

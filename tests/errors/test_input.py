@@ -131,7 +131,7 @@ MISTAKES = [
      ["'Geometry/block/Liquid' is 'maybe'", "true or false"]),
     ("shape there is not", BLOCK, ["Geometry/Shape=sphere"],
      ["'Geometry/Shape' is 'sphere'",
-      "one of 'block', 'open cylinder', 'segment chain'"]),
+      "one of 'block', 'mesh file', 'open cylinder', 'segment chain'"]),
     ("load type there is not", BLOCK,
      ["Boundary conditions/push/Type=gravity"],
      ["'Boundary conditions/push/Type' is 'gravity'", "'dead traction'"]),

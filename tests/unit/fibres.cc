@@ -5,8 +5,12 @@
 #include <deal.II/base/numbers.h>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
 
 #include "read_plugin.h"
 
@@ -28,6 +32,24 @@ namespace
     result->initialize("biceps");
     return result;
   }
+
+  // A file with this text, of its own for every process; removed at the end.
+  class FibreFile
+  {
+  public:
+    explicit FibreFile(const std::string &text)
+      : name("fibres_test_" + std::to_string(getpid()) + ".csv")
+    {
+      std::ofstream(name) << text;
+    }
+
+    ~FibreFile()
+    {
+      std::remove(name.c_str());
+    }
+
+    const std::string name;
+  };
 
   void
   expect_equal(const Tensor<1, 3> &a, const Tensor<1, 3> &b)
@@ -141,4 +163,109 @@ TEST(Fibres, WrongParametersAreErrorsThatNameThem)
                                 "set Formulas = 1; 2; foo(x)");
                        }),
                        "'Muscles/biceps/vector expression/Formulas'"));
+}
+
+
+
+TEST(Fibres, FileGivesTheVectorOfTheNearestPoint)
+{
+  const FibreFile file("# A comment, and a line of names.\n"
+                       "x, y, z, fx, fy, fz\n"
+                       "\n"
+                       "0, 0, 0, 2, 0, 0\n"
+                       "1 0 0   0 3e0 -4 # blanks\n"
+                       "0\t1\t0;0\t0\t-1\r\n");
+  const auto      field = fibres("file", "set File = " + file.name);
+  expect_equal(field->direction(Point<3>(0.1, 0.2, 0.3)), Point<3>(1, 0, 0));
+  expect_equal(field->direction(Point<3>(0.6, 0.4, 0)), Point<3>(0, 0.6, -0.8));
+  expect_equal(field->direction(Point<3>(-1, 1.4, 0)), Point<3>(0, 0, -1));
+}
+
+
+
+TEST(Fibres, FileAgreesWithHelicalTheFinerTheNearer)
+{
+  const auto helical  = fibres("helical", "set Angle = 30");
+  double     previous = 1.;
+  for (const unsigned int n : {8, 32})
+    {
+      std::ostringstream text;
+      text.precision(16);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          {
+            const double   a = (i + 0.5) / n * dealii::numbers::PI / 2;
+            const Point<3> X((j + 0.5) / n, std::cos(a), std::sin(a));
+            text << X << " " << 7. * helical->direction(X) << "\n";
+          }
+      const FibreFile file(text.str());
+      const auto      field = fibres("file", "set File = " + file.name);
+      double          worst = 0.;
+      for (double a = 0.01; a < 1.57; a += 0.01)
+        for (double x = 0.; x <= 1.; x += 0.1)
+          {
+            const Point<3> X(x, 1.1 * std::cos(a), 1.1 * std::sin(a));
+            worst =
+              std::max(worst,
+                       (field->direction(X) - helical->direction(X)).norm());
+          }
+      // Half a cell away: an angle of pi/4/n.
+      EXPECT_LT(worst, 0.8 / n);
+      EXPECT_LT(worst, 0.5 * previous);
+      previous = worst;
+    }
+}
+
+
+
+TEST(Fibres, FileThatLacksAPartIsAnErrorThatNamesThePoint)
+{
+  std::string text;
+  for (unsigned int i = 0; i < 10; ++i)
+    text += std::to_string(i) + " 0 0 1 0 0\n";
+  const FibreFile   file(text);
+  const std::string far_away = input_error([&]() {
+    fibres("file", "set File = " + file.name)->direction(Point<3>(4, 0, 25));
+  });
+  for (const std::string part : {"'Muscles/biceps/file/File'",
+                                 "(4, 0, 25)",
+                                 "(4, 0, 0) in line 5",
+                                 "25 mm away",
+                                 "'Muscles/biceps/file/Reach'"})
+    EXPECT_TRUE(contains(far_away, part)) << far_away;
+  const auto within_reach =
+    fibres("file", "set File = " + file.name + "\nset Reach = 26");
+  expect_equal(within_reach->direction(Point<3>(4, 0, 25)), Point<3>(1, 0, 0));
+}
+
+
+
+TEST(Fibres, WrongLinesOfAFileAreErrorsThatNameThem)
+{
+  const auto expect = [](const std::string &text,
+                         const std::string &part,
+                         const std::string &other_part) {
+    const FibreFile   file(text);
+    const std::string message =
+      input_error([&]() { fibres("file", "set File = " + file.name); });
+    EXPECT_TRUE(contains(message, "'Muscles/biceps/file/File'")) << message;
+    EXPECT_TRUE(contains(message, part)) << message;
+    EXPECT_TRUE(contains(message, other_part)) << message;
+  };
+  const std::string good = "0 0 0 1 0 0\n";
+  expect(good + "1 0 0 1 0\n", "line 2", "5 entries");
+  expect(good + "\n1 0 0 1 0 0 1\n", "line 3", "7 entries");
+  expect(good + "1 0 0 1 O 0\n", "line 2", "'O'");
+  expect(good + "1 0 0 nan 0 0\n", "line 2", "'nan'");
+  expect(good + "1 0 0 0 0 0\n", "line 2", "length zero");
+  expect(good + "x y z fx fy fz\n", "line 2", "'x'");
+  expect("a, b, c, d, e, f\n" + good, "line 1", "'a'");
+  expect("# nothing\n", "has no points", "x, y, z, fx, fy, fz");
+  expect(good + "0 0 1 1 0 0\n0 0 0 0 1 0\n", "lines 1 and 3", "same point");
+  EXPECT_TRUE(contains(input_error([]() {
+                         fibres("file", "set File = there_is_none.csv");
+                       }),
+                       "'there_is_none.csv' cannot be read"));
+  EXPECT_TRUE(contains(input_error([]() { fibres("file"); }),
+                       "'Muscles/biceps/file/File' is not set"));
 }

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_geometry_mesh_messages_h
+#define lumbricus_geometry_mesh_messages_h
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /** Messages about a mesh file, as ExcInput that names parameter and file. */
+  struct MeshMessages
+  {
+    MeshMessages(const std::string &section, const std::string &file_name);
+
+    /** "Parameter '<section>/<parameter>': the mesh file so-and-so @p what". */
+    [[noreturn]] void
+    fail(const std::string &parameter, const std::string &what) const;
+
+    /** The same about the file itself. */
+    [[noreturn]] void
+    fail(const std::string &what) const;
+
+    /** All @p names in the list @p parameter have to be among those @p known,
+     * which are of this @p kind. */
+    void
+    check_list(const std::string              &parameter,
+               const std::string              &kind,
+               const std::vector<std::string> &names,
+               const std::set<std::string>    &known) const;
+
+    const std::string section;
+    const std::string file_name;
+  };
+} // namespace lumbricus
+
+#endif

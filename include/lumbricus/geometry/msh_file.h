@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_geometry_msh_file_h
+#define lumbricus_geometry_msh_file_h
+
+#include <lumbricus/geometry/mesh_faces.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/grid/tria_description.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * What a Gmsh file says. The tag of a physical group is a number > 0; what
+   * belongs to none has the tag 0.
+   */
+  struct MshFile
+  {
+    struct Face
+    {
+      FaceKey      vertices;
+      unsigned int tag;
+    };
+
+    /** Those of the hexahedra only. */
+    std::vector<dealii::Point<dim>> vertices;
+    /** Hexahedra in deal.II's numbering; the material id is the tag. */
+    std::vector<dealii::CellData<dim>> cells;
+    /** Quadrilaterals that are in a physical surface. */
+    std::vector<Face> faces;
+
+    /** From a tag to its name. */
+    std::map<unsigned int, std::string> volume_names;
+    std::map<unsigned int, std::string> surface_names;
+  };
+
+
+
+  /**
+   * Read a text file of Gmsh, format 2.x or 4.1, with hexahedra of eight
+   * nodes. Throws ExcInput naming @p parameter, the file and, where there is
+   * one, the line.
+   */
+  MshFile
+  read_msh_file(const std::string &parameter, const std::string &file_name);
+} // namespace lumbricus
+
+#endif

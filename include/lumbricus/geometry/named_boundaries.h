@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_geometry_named_boundaries_h
+#define lumbricus_geometry_named_boundaries_h
+
+#include <lumbricus/geometry/mesh_messages.h>
+#include <lumbricus/geometry/msh_file.h>
+#include <lumbricus/geometry/named_mesh.h>
+
+namespace lumbricus
+{
+  /**
+   * Give the faces of @p mesh, whose cells are those of @p file, the meaning of
+   * the physical surfaces they are in: boundaries, planes of symmetry, and
+   * those of @p round_surfaces. Throws ExcInput.
+   */
+  void
+  name_boundaries(const MshFile                  &file,
+                  const std::vector<std::string> &round_surfaces,
+                  const MeshMessages             &messages,
+                  NamedMesh                      &mesh);
+} // namespace lumbricus
+
+#endif

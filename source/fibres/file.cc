@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/expression.h>
+#include <lumbricus/core/registry.h>
+#include <lumbricus/fibres/fibre_field.h>
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace lumbricus
+{
+  namespace
+  {
+    // The words of a line, without its comment. Commas and tabs are blanks.
+    std::vector<std::string>
+    words_of(std::string line)
+    {
+      line.resize(std::min(line.find('#'), line.size()));
+      std::replace_if(
+        line.begin(),
+        line.end(),
+        [](const char c) { return c == ',' || c == ';'; },
+        ' ');
+      std::istringstream       in(line);
+      std::vector<std::string> words;
+      for (std::string word; in >> word;)
+        words.push_back(word);
+      return words;
+    }
+
+
+
+    bool
+    read_number(const std::string &word, double &value)
+    {
+      char *end = nullptr;
+      value     = std::strtod(word.c_str(), &end);
+      return end == word.c_str() + word.size() && std::isfinite(value);
+    }
+  } // namespace
+
+
+
+  /**
+   * f(X) = d_i/|d_i| with the vector d_i given at the point X_i nearest to X;
+   * the points are meant to be the centres of cells.
+   */
+  class FibresFromFile : public FibreField
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    void
+    initialize(const std::string &muscle) override;
+
+    dealii::Tensor<1, dim>
+    direction(const dealii::Point<dim> &X) const override;
+
+  private:
+    using Entry = std::pair<dealii::Point<dim>, unsigned int>;
+
+    void
+    read();
+
+    /** Add what a line says, which is number @p number. */
+    void
+    add(const std::vector<std::string> &words, const unsigned int number);
+
+    /** How far from the nearest point there still is a direction, unless the
+     * user says. Throws ExcInput where two points are the same. */
+    double
+    natural_reach() const;
+
+    /** The message on a point that is beyond the reach. */
+    std::string
+    too_far(const dealii::Point<dim> &X, const Entry &nearest) const;
+
+    std::string file_name;
+    double      given_reach = 0.;
+
+    std::string                         parameter;
+    std::vector<Entry>                  points;
+    std::vector<dealii::Tensor<1, dim>> directions;
+    std::vector<unsigned int>           line_numbers;
+    dealii::RTree<Entry>                tree;
+    double                              reach = 0.;
+  };
+
+
+
+  void
+  FibresFromFile::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.add_parameter("File",
+                      file_name,
+                      "[path] A text file with six numbers in a line, "
+                      "separated by commas or blanks: a point x, y, z in mm "
+                      "and a vector along the fibres there, of any length but "
+                      "zero. The fibres at a point are those of the nearest "
+                      "point of the file, so give the centres of all cells of "
+                      "the muscle. The first line may be 'x, y, z, fx, fy, "
+                      "fz'; what follows a # is left out. A relative path "
+                      "starts at the working directory.");
+    prm.add_parameter("Reach",
+                      given_reach,
+                      "[mm] How far from the nearest point of the file there "
+                      "may be muscle. 0: twice the largest distance, in the "
+                      "file, of a point from the sixth nearest to it.",
+                      dealii::Patterns::Double(0));
+  }
+
+
+
+  void
+  FibresFromFile::initialize(const std::string &muscle)
+  {
+    parameter = "Muscles/" + muscle + "/file/";
+    read();
+    tree                 = dealii::pack_rtree(points);
+    const double natural = natural_reach();
+    reach                = given_reach > 0. ? given_reach : natural;
+  }
+
+
+
+  void
+  FibresFromFile::read()
+  {
+    AssertThrow(!file_name.empty(),
+                ExcInput("Parameter '" + parameter +
+                         "File' is not set. Give the path of a file with a "
+                         "point and a vector in a line, from the working "
+                         "directory."));
+    std::ifstream in(file_name);
+    AssertThrow(in && !std::filesystem::is_directory(file_name),
+                ExcInput("Parameter '" + parameter + "File': the file '" +
+                         file_name +
+                         "' cannot be read. Give the path of a file with a "
+                         "point and a vector in a line, from the working "
+                         "directory."));
+    points.clear();
+    directions.clear();
+    line_numbers.clear();
+    bool        at_top = true;
+    std::string line;
+    for (unsigned int number = 1; std::getline(in, line); ++number)
+      {
+        const auto words = words_of(line);
+        if (words.empty())
+          continue;
+        const std::vector<std::string> header = {
+          "x", "y", "z", "fx", "fy", "fz"};
+        if (!at_top || words != header)
+          add(words, number);
+        at_top = false;
+      }
+    AssertThrow(!points.empty(),
+                ExcInput("Parameter '" + parameter + "File': the file '" +
+                         file_name +
+                         "' has no points. Give one line x, y, z, fx, fy, fz "
+                         "for every cell of the muscle."));
+  }
+
+
+
+  void
+  FibresFromFile::add(const std::vector<std::string> &words,
+                      const unsigned int              number)
+  {
+    const auto fail = [&](const std::string &what) {
+      AssertThrow(false,
+                  ExcInput("Parameter '" + parameter + "File': " + file_name +
+                           ", line " + std::to_string(number) + ", " + what));
+    };
+    if (words.size() != 2 * dim)
+      fail("has " + std::to_string(words.size()) +
+           " entries. Give six numbers: x, y, z, fx, fy, fz.");
+
+    dealii::Point<dim>     X;
+    dealii::Tensor<1, dim> d;
+    for (unsigned int i = 0; i < words.size(); ++i)
+      if (!read_number(words[i], i < dim ? X[i] : d[i - dim]))
+        fail("has '" + words[i] +
+             "', which is not a finite number. Give six numbers: x, y, z, fx, "
+             "fy, fz.");
+
+    if (!(d.norm() > 0.))
+      fail("has a vector of length zero, which is no direction. Give a vector "
+           "along the fibres.");
+    points.emplace_back(X, directions.size());
+    directions.push_back(d / d.norm());
+    line_numbers.push_back(number);
+  }
+
+
+
+  double
+  FibresFromFile::natural_reach() const
+  {
+    // In a mesh of flat cells the nearest point is too near to be a measure.
+    constexpr unsigned int n_neighbours = 6;
+    if (points.size() == 1)
+      return std::numeric_limits<double>::max();
+    double             largest = 0.;
+    std::vector<Entry> nearest;
+    for (const Entry &point : points)
+      {
+        nearest.clear();
+        tree.query(boost::geometry::index::nearest(point.first,
+                                                   n_neighbours + 1),
+                   std::back_inserter(nearest));
+        for (const Entry &other : nearest)
+          {
+            const double distance = point.first.distance(other.first);
+            AssertThrow(
+              distance > 0. || other.second == point.second,
+              ExcInput("Parameter '" + parameter + "File': " + file_name +
+                       ", lines " +
+                       std::to_string(
+                         line_numbers[std::min(other.second, point.second)]) +
+                       " and " +
+                       std::to_string(
+                         line_numbers[std::max(other.second, point.second)]) +
+                       ", have the same point. Remove one of them."));
+            largest = std::max(largest, distance);
+          }
+      }
+    return 2. * largest;
+  }
+
+
+
+  std::string
+  FibresFromFile::too_far(const dealii::Point<dim> &X,
+                          const Entry              &nearest) const
+  {
+    std::ostringstream message;
+    message << "Parameter '" << parameter << "File': the file '" << file_name
+            << "' lacks the part of the muscle around the point "
+            << point_text(X) << ". Its nearest point, "
+            << point_text(nearest.first) << " in line "
+            << line_numbers[nearest.second] << ", is "
+            << X.distance(nearest.first) << " mm away, and the reach is "
+            << reach << " mm. Add a line for every cell of the muscle, or set '"
+            << parameter << "Reach' if the fibres there are as in that line.";
+    return message.str();
+  }
+
+
+
+  dealii::Tensor<1, dim>
+  FibresFromFile::direction(const dealii::Point<dim> &X) const
+  {
+    std::vector<Entry> nearest;
+    tree.query(boost::geometry::index::nearest(X, 1),
+               std::back_inserter(nearest));
+    AssertThrow(X.distance(nearest.front().first) <= reach,
+                ExcInput(too_far(X, nearest.front())));
+    return directions[nearest.front().second];
+  }
+
+
+
+  static const Register<FibreField, FibresFromFile>
+    fibres_from_file("file",
+                     "along the vector that a file gives for the nearest "
+                     "point, a vector per cell.");
+} // namespace lumbricus

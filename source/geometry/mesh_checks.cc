@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/expression.h>
+#include <lumbricus/geometry/mesh_checks.h>
+#include <lumbricus/geometry/mesh_faces.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace lumbricus
+{
+  namespace
+  {
+    using Vertices = std::vector<dealii::Point<dim>>;
+    using Cells    = std::vector<dealii::CellData<dim>>;
+
+    const std::string how_to_join =
+      "Make the volumes share their surfaces: in Gmsh by 'Coherence;' or "
+      "'BooleanFragments' after all volumes, and before the physical groups.";
+
+
+
+    dealii::Point<dim>
+    center(const Vertices &vertices, const dealii::CellData<dim> &cell)
+    {
+      dealii::Point<dim> sum;
+      for (const unsigned int v : cell.vertices)
+        sum += vertices[v];
+      return sum / 8.;
+    }
+
+
+
+    // Whether the edges at one of its corners do not span a volume > 0.
+    bool
+    is_folded(const Vertices &vertices, const dealii::CellData<dim> &cell)
+    {
+      for (unsigned int v = 0; v < 8; ++v)
+        {
+          std::array<dealii::Tensor<1, dim>, dim> edges;
+          double                                  scale = 1.;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const unsigned int bit = 1u << d;
+              edges[d]               = vertices[cell.vertices[v | bit]] -
+                         vertices[cell.vertices[v & ~bit]];
+              scale *= edges[d].norm();
+            }
+          if (!(edges[0] * cross_product_3d(edges[1], edges[2]) > 1e-6 * scale))
+            return true;
+        }
+      return false;
+    }
+
+
+
+    std::string
+    folded_cells(const Vertices &vertices, const Cells &cells)
+    {
+      std::size_t                  n     = 0;
+      const dealii::CellData<dim> *first = nullptr;
+      for (const auto &cell : cells)
+        if (is_folded(vertices, cell))
+          {
+            ++n;
+            first = first == nullptr ? &cell : first;
+          }
+      if (n == 0)
+        return "";
+      return " has " + std::to_string(n) +
+             " cells that are folded or flat; the first has its centre at " +
+             point_text(center(vertices, *first)) +
+             ". Mesh that place with better shaped cells.";
+    }
+
+
+
+    std::string
+    faces_of_many_cells(const Vertices &vertices, const Cells &cells)
+    {
+      std::map<FaceKey, unsigned int> n_cells;
+      for (const auto &cell : cells)
+        for (unsigned int f = 0; f < 6; ++f)
+          if (++n_cells[face_key(cell, f)] > 2)
+            return " has more than two cells at one face, of the cell at " +
+                   point_text(center(vertices, cell)) +
+                   ". Put every volume into one physical group only, and see "
+                   "that no volumes overlap.";
+      return "";
+    }
+
+
+
+    double
+    shortest_edge(const Vertices &vertices, const Cells &cells)
+    {
+      double shortest = std::numeric_limits<double>::max();
+      for (const auto &cell : cells)
+        for (unsigned int v = 0; v < 8; ++v)
+          for (unsigned int d = 0; d < dim; ++d)
+            if ((v & (1u << d)) == 0)
+              shortest = std::min(shortest,
+                                  vertices[cell.vertices[v]].distance(
+                                    vertices[cell.vertices[v | (1u << d)]]));
+      return shortest;
+    }
+
+
+
+    std::string
+    double_vertices(const Vertices &vertices, const Cells &cells)
+    {
+      // Along a direction in which few vertices of a regular mesh coincide.
+      const dealii::Point<dim>  direction(0.538, 0.314, 0.782);
+      std::vector<double>       s;
+      std::vector<unsigned int> order(vertices.size());
+      for (const auto &X : vertices)
+        s.push_back(X * direction);
+      std::iota(order.begin(), order.end(), 0u);
+      std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+        return s[a] < s[b];
+      });
+
+      const double tolerance = 1e-3 * shortest_edge(vertices, cells);
+      for (std::size_t i = 0; i < order.size(); ++i)
+        for (std::size_t j = i + 1;
+             j < order.size() && s[order[j]] - s[order[i]] < tolerance;
+             ++j)
+          if (vertices[order[i]].distance(vertices[order[j]]) < tolerance)
+            return " has two nodes at the same place, " +
+                   point_text(vertices[order[i]]) +
+                   ", so that what touches there is not joined. " + how_to_join;
+      return "";
+    }
+
+
+
+    std::string
+    loose_parts(const Vertices &vertices, const Cells &cells)
+    {
+      // Trees of vertices; those of a cell are in one.
+      std::vector<unsigned int> parent(vertices.size());
+      std::iota(parent.begin(), parent.end(), 0u);
+      const auto root = [&](unsigned int v) {
+        while (parent[v] != v)
+          v = parent[v] = parent[parent[v]];
+        return v;
+      };
+      std::size_t n_parts = vertices.size();
+      for (const auto &cell : cells)
+        for (const unsigned int v : cell.vertices)
+          {
+            const unsigned int a = root(v), b = root(cell.vertices[0]);
+            if (a != b)
+              {
+                parent[a] = b;
+                --n_parts;
+              }
+          }
+      if (n_parts == 1)
+        return "";
+
+      const unsigned int first = root(cells[0].vertices[0]);
+      unsigned int       other = 0;
+      while (root(cells[other].vertices[0]) == first)
+        ++other;
+      return " has " + std::to_string(n_parts) +
+             " parts that are not joined: the cells at " +
+             point_text(center(vertices, cells[0])) + " and " +
+             point_text(center(vertices, cells[other])) +
+             " are in different ones. " + how_to_join;
+    }
+  } // namespace
+
+
+
+  std::string
+  what_is_wrong(const Vertices &vertices, const Cells &cells)
+  {
+    for (const auto &check :
+         {folded_cells, faces_of_many_cells, double_vertices, loose_parts})
+      {
+        const std::string message = check(vertices, cells);
+        if (!message.empty())
+          return message;
+      }
+    return "";
+  }
+} // namespace lumbricus

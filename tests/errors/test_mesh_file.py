@@ -1,0 +1,317 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A mesh of Gmsh or a file of fibres that cannot be used ends with exit code 1
+and one message that names the parameter, the file, what is missing and the way
+out."""
+import concurrent.futures
+
+import pytest
+from lumbricus_run import run
+
+HEXAHEDRON, QUADRILATERAL, TETRAHEDRON, HEXAHEDRON_20 = 5, 3, 4, 17
+
+
+class Mesh:
+    """Cubes of unit edge in a row along x, as a file of Gmsh. Tests put the
+    mistakes in."""
+
+    def __init__(self, volumes=("wall", "wall")):
+        self.version = "2.2 0 8"
+        self.names = []  # (dimension, name); the tag is the place, from 1
+        self.nodes = [[float(x), float(y), float(z)]
+                      for x in range(len(volumes) + 1)
+                      for y, z in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        self.elements = []  # (type, tag, nodes from 1)
+        for i, name in enumerate(volumes):
+            self.add(HEXAHEDRON, name, range(4 * i + 1, 4 * i + 9))
+        self.end = "$EndElements\n"
+
+    def tag(self, dimension, name):
+        if (dimension, name) not in self.names:
+            self.names.append((dimension, name))
+        return self.names.index((dimension, name)) + 1
+
+    def add(self, kind, name, nodes):
+        dimension = 2 if kind == QUADRILATERAL else 3
+        tag = self.tag(dimension, name) if name else 0
+        self.elements.append((kind, tag, list(nodes)))
+        return self
+
+    def surface(self, name, *nodes):
+        return self.add(QUADRILATERAL, name, nodes)
+
+    def move(self, node, *x):
+        self.nodes[node - 1] = list(x)
+        return self
+
+    def __str__(self):
+        lines = ["$MeshFormat", self.version, "$EndMeshFormat"]
+        if self.names:
+            lines += ["$PhysicalNames", len(self.names)]
+            lines += [f'{dimension} {i + 1} "{name}"'
+                      for i, (dimension, name) in enumerate(self.names)]
+            lines += ["$EndPhysicalNames"]
+        lines += ["$Nodes", len(self.nodes)]
+        lines += [" ".join(map(str, [i + 1, *x]))
+                  for i, x in enumerate(self.nodes)]
+        lines += ["$EndNodes", "$Elements", len(self.elements)]
+        lines += [" ".join(map(str, [i + 1, kind, 2, tag, 1, *nodes]))
+                  for i, (kind, tag, nodes) in enumerate(self.elements)]
+        return "\n".join(map(str, lines)) + "\n" + self.end
+
+
+def without_names():
+    mesh = Mesh()
+    mesh.names = []
+    return mesh
+
+
+def only(kind, n_nodes):
+    """One element of this type instead of the cubes."""
+    mesh = Mesh()
+    mesh.elements = []
+    return mesh.add(kind, "wall", range(1, n_nodes + 1))
+
+
+def of_version(version):
+    mesh = Mesh()
+    mesh.version = version
+    return mesh
+
+
+def cut_off():
+    mesh = Mesh()
+    mesh.elements = mesh.elements[:1]
+    mesh.end = ""
+    return str(mesh).replace("$Elements\n1", "$Elements\n2")
+
+
+def two_loose_cubes(shift):
+    """The second cube with nodes of its own, so far from the first."""
+    mesh = Mesh(("wall",))
+    n = len(mesh.nodes)
+    mesh.nodes += [[x + shift, y, z] for x, y, z in mesh.nodes]
+    return mesh.add(HEXAHEDRON, "wall", range(n + 1, 2 * n + 1))
+
+
+TWO_GROUPS = """$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+3 1 "wall"
+3 2 "cap"
+$EndPhysicalNames
+$Entities
+0 0 0 1
+1 0 0 0 1 1 1 2 1 2 0
+$EndEntities
+"""
+
+SECTION = "Geometry/mesh file/"
+FILE = f"'{SECTION}File'"
+FIBRES = "Muscles/all/file/"
+
+# What is wrong; the mesh, or None where it is right; settings; what the message
+# has to say.
+MISTAKES = [
+    ("no file", None, [SECTION + "File=none.msh"],
+     [FILE, "'none.msh' cannot be read", "the working directory"]),
+    ("file not set", None, [SECTION + "File="],
+     [FILE + " is not set", "Give the path of a .msh file"]),
+    ("folder", None, [SECTION + "File=/tmp"],
+     [FILE, "'/tmp' cannot be read"]),
+    ("no file of Gmsh", "solid cube\n", [],
+     [FILE, "'FOLDER/body.msh' is not a file of Gmsh", "'$MeshFormat'",
+      "'Mesh.MshFileVersion = 4.1;'"]),
+    ("empty file", "", [], [FILE, "is not a file of Gmsh"]),
+    ("format 1", "$NOD\n1\n1 0 0 0\n$ENDNOD\n", [],
+     [FILE, "is not a file of Gmsh", "'Mesh.MshFileVersion = 4.1;'"]),
+    ("format 4.0", of_version("4 0 8"), [],
+     [FILE, "has Gmsh's format 4;", "2.2 and 4.1 can be read",
+      "'Mesh.MshFileVersion = 4.1;'"]),
+    ("binary file", of_version("4.1 1 8"), [],
+     [FILE, "is binary", "'Mesh.Binary = 0;'"]),
+    ("file cut off", cut_off(), [], [FILE, "ends too early, in line 25"]),
+    ("word for a number", str(Mesh()).replace("1.0 1.0 0.0", "1.0 one 0.0"),
+     [], [FILE, "line 15, '6 1.0 one 0.0', has no number"]),
+    ("node that is missing", Mesh().add(HEXAHEDRON, "wall", range(90, 98)), [],
+     [FILE, "names a node the file does not have"]),
+    ("no names", without_names(), [],
+     [FILE, "has no physical names", "'Physical Volume(\"wall\") = {1};'"]),
+    ("tetrahedra", only(TETRAHEDRON, 4), [],
+     [FILE, "has 1 tetrahedra; only hexahedra can be used",
+      "'Mesh.RecombineAll = 1;'", "'Mesh.SubdivisionAlgorithm = 2;'"]),
+    ("tetrahedra beside hexahedra", Mesh().add(TETRAHEDRON, "cap", range(1, 5)),
+     [], ["has 1 tetrahedra"]),
+    ("second order", only(HEXAHEDRON_20, 12), [],
+     [FILE, "hexahedra of second order", "'Mesh.ElementOrder = 1;'",
+      "'Round surfaces'"]),
+    ("surfaces only", only(QUADRILATERAL, 4), [],
+     [FILE, "has no volume elements", "'Physical Volume'"]),
+    ("volume without a name", Mesh().add(HEXAHEDRON, "", range(5, 13)), [],
+     [FILE, "in no physical volume with a name", "at (1.5, 0.5, 0.5)",
+      "'Mesh.SaveAll'"]),
+    ("liquid there is not", None, [SECTION + "Liquid tissues=liquid, wall"],
+     [f"'{SECTION}Liquid tissues'", "has no tissue 'liquid'", "It has 'wall'",
+      "leave the list empty"]),
+    ("wall there is not", None, [SECTION + "Wall layers=walls"],
+     [f"'{SECTION}Wall layers'", "has no tissue 'walls'", "It has 'wall'"]),
+    ("round surface there is not", Mesh().surface("head", 1, 2, 3, 4),
+     [SECTION + "Round surfaces=skin"],
+     [f"'{SECTION}Round surfaces'", "has no physical surface 'skin'",
+      "It has 'head'"]),
+    ("round surface on the axis", Mesh().surface("head", 1, 2, 3, 4),
+     [SECTION + "Round surfaces=head"],
+     [f"'{SECTION}Round surfaces'", "'head' on the x axis, at (0, 0, 0)",
+      "Remove it"]),
+    ("liquid that is wall", Mesh(("wall", "cap")),
+     [SECTION + "Liquid tissues=wall"],
+     [f"'{SECTION}Wall layers' has 'wall'", "'Geometry/mesh file/Liquid "
+      "tissues' too", "Remove it"]),
+    ("segment left out", Mesh(("wall", "wall 3", "wall 6")), [],
+     [FILE, "has the segments 1, 3, 6, but no segment 2", "without gaps"]),
+    ("segment zero", Mesh(("wall", "wall 0")), [],
+     [FILE, "'wall 0'", "the number of the segment, from 1"]),
+    ("number without tissue", Mesh(("wall", "2")), [],
+     [FILE, "a physical volume '2'", "that of a tissue"]),
+    ("liquids that touch", Mesh(("wall", "water", "water 2")),
+     [SECTION + "Liquid tissues=water"],
+     [FILE, "liquid of segment 1 and of segment 2 that touch at (2, ",
+      "Put a septum between them"]),
+    ("folded cell", Mesh().move(12, 0.5, 0., 1.), [],
+     [FILE, "has 1 cells that are folded or flat", "its centre at (",
+      "better shaped cells"]),
+    ("nodes twice", two_loose_cubes(1), [],
+     [FILE, "two nodes at the same place, (1, ", "'Coherence;'",
+      "'BooleanFragments'"]),
+    ("two bodies", two_loose_cubes(3), [],
+     [FILE, "has 2 parts that are not joined", "(0.5, 0.5, 0.5)",
+      "(3.5, 0.5, 0.5)", "'Coherence;'"]),
+    ("cell twice", Mesh(("wall", "wall")).add(HEXAHEDRON, "cap", range(5, 13)),
+     [], [FILE, "more than two cells at one face", "one physical group only"]),
+    ("volume in two groups", TWO_GROUPS, [],
+     [FILE, ", line 11, has a volume in two physical groups",
+      "Put it into one"]),
+    ("face in two surfaces",
+     Mesh().surface("head", 1, 2, 3, 4).surface("mouth", 2, 3, 4, 1), [],
+     [FILE, "a face in two physical surfaces, 'head' and 'mouth'"]),
+    ("plane of symmetry that is not flat",
+     Mesh().surface("symmetry y", 1, 5, 8, 4)
+     .surface("symmetry y", 6, 7, 11, 10), [],
+     [FILE, "'symmetry y' that is not flat", "from y = 0 to 1"]),
+    ("plane of symmetry inside",
+     Mesh().surface("symmetry z", 1, 2, 6, 5).move(9, 2, 0, -0.5), [],
+     [FILE, "'symmetry z' inside the body", "from z = 0 to 0",
+      "the body from -0.5 to 1", "at one end of the body"]),
+    ("symmetry without a direction", Mesh().surface("symmetry", 1, 2, 3, 4), [],
+     [FILE, "a physical surface 'symmetry'", "'symmetry x', 'symmetry y' or "
+      "'symmetry z'"]),
+    ("boundary there is not", Mesh().surface("head", 1, 2, 3, 4),
+     ["Boundary conditions/Names=push",
+      "Boundary conditions/push/Type=follower pressure",
+      "Boundary conditions/push/Boundary=tail"],
+     ["'Boundary conditions/push/Boundary' is 'tail'",
+      "Give one of 'head', 'free'"]),
+    ("tissue there is not", None, ["Tissues/cap/Law=Neo-Hooke"],
+     ["'Tissues/cap' is unknown", "'wall'"]),
+
+    ("no file of fibres", None, [FIBRES + "File=none.csv"],
+     [f"'{FIBRES}File'", "'none.csv' cannot be read",
+      "the working directory"]),
+    ("fibres of five numbers", None, [FIBRES + "File=FOLDER/five.csv"],
+     [f"'{FIBRES}File'", "five.csv, line 2, has 5 entries",
+      "x, y, z, fx, fy, fz"]),
+    ("fibres that end halfway", None, [FIBRES + "File=FOLDER/half.csv"],
+     ["Muscle 'all'", f"'{FIBRES}File'", "half.csv' lacks the part of the "
+      "muscle around the point (", "mm away", f"'{FIBRES}Reach'"]),
+]
+
+CASE = """
+subsection Geometry
+  set Shape = mesh file
+  subsection mesh file
+    set File           = FOLDER/body.msh
+    set Liquid tissues =
+  end
+end
+subsection Tissues
+  subsection wall
+    set Muscles = all
+  end
+end
+subsection Muscles
+  subsection all
+    set Fibres         = file
+    set Active stretch = expression
+    subsection file
+      set File = FOLDER/fibres.csv
+    end
+    subsection expression
+      set Formula = 1 - 0.1*t
+    end
+  end
+end
+subsection Time
+  set First step   = 1
+  set Largest step = 1
+end
+subsection Linear solver
+  set Method = direct
+end
+"""
+
+
+def start(mesh, settings, ranks, folder):
+    folder.mkdir()
+    (folder / "body.msh").write_text(str(Mesh() if mesh is None else mesh))
+    (folder / "fibres.csv").write_text("0.5 0.5 0.5 1 0 0\n1.5 0.5 0.5 1 0 0\n")
+    (folder / "five.csv").write_text("0 0 0 1 0 0\n1 0 0 1 0\n")
+    (folder / "half.csv").write_text("0 0 0 1 0 0\n0 0.2 0 1 0 0\n")
+    case = folder / "case.prm"
+    case.write_text(CASE.replace("FOLDER", str(folder)))
+    return run(case, folder / "out",
+               [setting.replace("FOLDER", str(folder)) for setting in settings],
+               ranks)
+
+
+ON_TWO_RANKS = ["no file", "tetrahedra", "nodes twice", "segment left out",
+                "fibres of five numbers", "fibres that end halfway"]
+CASES = [(mistake, 1) for mistake in MISTAKES] + \
+    [(mistake, 2) for mistake in MISTAKES if mistake[0] in ON_TWO_RANKS]
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory):
+    """All runs, two at a time: most of a run is the start of the program."""
+    base = tmp_path_factory.mktemp("meshes")
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        return list(pool.map(
+            lambda job: start(job[1][0][1], job[1][0][2], job[1][1],
+                              base / str(job[0])),
+            enumerate(CASES)))
+
+
+@pytest.mark.parametrize("i", range(len(CASES)), ids=[
+    f"{mistake[0]}, {ranks} rank" for mistake, ranks in CASES])
+def test_one_message_names_what_is_missing(i, results):
+    (_, _, _, words), _ = CASES[i]
+    result = results[i]
+    everything = result.log + result.message
+    assert result.exit_code == 1, everything
+    for frame in ("An error occurred", "Stacktrace", "exception", "Exception",
+                  "violated", "bug"):
+        assert frame not in everything, everything
+    message = " ".join(result.message.split("\n---")[0].split())
+    assert message.startswith("lumbricus: ")
+    for part in words:
+        part = part.replace("FOLDER", str(result.folder.parent))
+        assert part in message
+    assert everything.count("lumbricus: ") == 1, everything
+    # Nothing was computed.
+    assert not [path for path in result.folder.glob("**/*") if path.is_file()]
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_the_base_has_no_mistake(ranks, tmp_path):
+    result = start(None, [], ranks, tmp_path / "case")
+    assert result.exit_code == 0, result.message

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A body has the same numbers whether the program makes its mesh or reads it
+from a file of Gmsh, and a muscle whether its fibres are a formula or a file."""
+import math
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import pytest
+from lumbricus_run import SOURCE, run_well
+
+HERE = pathlib.Path(__file__).parent
+LAYERS = "longitudinal muscle, circular muscle"
+
+
+def with_mesh(base, version, layers, folder):
+    """A case like the base, but with the mesh in a file."""
+    mesh = folder / "body.msh"
+    subprocess.run([os.environ["WRITE_MSH"], str(base), version, str(mesh)],
+                   check=True, timeout=60)
+    text = base.read_text()
+    shape = re.search(r"set Shape = (.*)\n", text)[1]
+    begin = text.index(f"  subsection {shape}")
+    end = text.index("\nend", begin)
+    case = folder / "case.prm"
+    case.write_text(text[:begin].replace(shape, "mesh file") + f"""
+  subsection mesh file
+    set File           = {mesh}
+    set Wall layers    = {layers}
+    set Round surfaces = skin, inner circles
+  end""" + text[end:])
+    return case
+
+
+def assert_same_numbers(a, b, columns, tolerance):
+    assert len(a) == len(b)
+    for row, other in zip(a, b):
+        for column in columns:
+            assert row[column] == pytest.approx(other[column], rel=tolerance,
+                                                abs=tolerance)
+
+
+@pytest.mark.parametrize("base, layers, version, coupling, ranks", [
+    ("segment.prm", "wall", "2.2", "tied", 1),
+    ("segment.prm", "wall", "4.1", "tied", 2),
+    ("segment.prm", "wall", "4.1", "slip", 1),
+    ("chain.prm", LAYERS, "4.1", "tied", 1),
+])
+def test_same_body_from_a_mesh_file(base, layers, version, coupling, ranks,
+                                    tmp_path):
+    settings = ["Reset/Tolerance=1e-5", "Time/End=0.2",
+                "Interface/Coupling=" + coupling]
+    if coupling == "slip":
+        settings += ["Reset/Tolerance=1e-3", "Time/First step=0.1",
+                     "Time/Largest step=0.1"]
+    base = HERE / base
+    if base.name == "chain.prm":
+        # Of equal segments: the file says of a face whether it is round, and
+        # the skin of unequal ones is a cone at a septum.
+        text = base.read_text()
+        begin = text.index("    set Segments with their own measures")
+        base = tmp_path / "base.prm"
+        base.write_text(text[:begin] + text[text.index("  end\nend", begin):])
+    case = with_mesh(base, version, layers, tmp_path)
+    built_in = run_well(base, tmp_path / "a", settings)
+    from_file = run_well(case, tmp_path / "b", settings, ranks)
+    columns = ["t", "segment", "mid_radius", "fluid_volume", "wall_volume",
+               "fluid_pressure"]
+    if base.name == "segment.prm":
+        # In a chain the file's segments end where their liquid does.
+        columns += ["length"]
+    assert_same_numbers(built_in.segments(), from_file.segments(), columns,
+                        1e-9)
+    # It has moved.
+    assert from_file.last()["mid_radius"] < \
+        0.99 * from_file.segments()[0]["mid_radius"]
+
+
+def test_case_of_the_gallery(tmp_path):
+    """Its files fit together, and its liquid and its wall keep their volume."""
+    folder = SOURCE / "parameters" / "mesh_file"
+    copy = tmp_path / "fibres"
+    copy.mkdir()
+    for name in ("body.msh", "fibres.py"):
+        shutil.copy(folder / name, copy)
+    subprocess.run([sys.executable, str(copy / "fibres.py")], check=True)
+    assert (copy / "fibres.csv").read_text() == \
+        (folder / "fibres.csv").read_text()
+
+    result = run_well(folder / "case.prm", tmp_path / "out", [
+        f"Geometry/mesh file/File={folder / 'body.msh'}",
+        f"Muscles/longitudinal/file/File={folder / 'fibres.csv'}",
+        "Time/End=0.2"], ranks=2)
+    first, last = result.segments()[0], result.last()
+    assert first["length"] == pytest.approx(6, rel=1e-12)
+    assert first["fluid_volume"] == pytest.approx(107.5217, rel=1e-6)
+    assert first["wall_volume"] == pytest.approx(41.04897, rel=1e-6)
+    for volume in ("fluid_volume", "wall_volume"):
+        assert last[volume] == pytest.approx(first[volume], rel=1e-10)
+    assert last["length"] == pytest.approx(6.2368, rel=1e-3)
+    assert last["mid_radius"] == pytest.approx(1.9595, rel=1e-3)
+    assert last["fluid_pressure"] == pytest.approx(0.006727, rel=1e-2)
+
+
+def test_mesh_without_planes_has_no_length(tmp_path):
+    """One cell whose ends are askew: nan, not a crash."""
+    corners = [(0, 0, 0), (2, 0, 0), (2, 1, 0.1), (0.1, 1, 0),
+               (0.2, 0, 1), (2.3, 0, 1), (2.2, 1.1, 1), (0, 1.1, 1)]
+    nodes = "\n".join(f"{i + 1} {x} {y} {z}"
+                      for i, (x, y, z) in enumerate(corners))
+    mesh = tmp_path / "cell.msh"
+    mesh.write_text(f"""$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+3 1 "wall"
+$EndPhysicalNames
+$Nodes
+8
+{nodes}
+$EndNodes
+$Elements
+1
+1 5 2 1 1 1 2 3 4 5 6 7 8
+$EndElements
+""")
+    case = tmp_path / "case.prm"
+    case.write_text(f"""
+subsection Geometry
+  set Shape = mesh file
+  subsection mesh file
+    set File           = {mesh}
+    set Liquid tissues =
+  end
+end
+subsection Tissues
+  subsection wall
+    set Muscles = all
+  end
+end
+subsection Muscles
+  subsection all
+    set Fibres         = longitudinal
+    set Active stretch = expression
+    subsection expression
+      set Formula = 1 - 0.1*t
+    end
+  end
+end
+subsection Time
+  set First step   = 1
+  set Largest step = 1
+end
+subsection Output
+  set Every = 0
+end
+""")
+    result = run_well(case, tmp_path / "out")
+    assert math.isnan(result.last()["length"])
+    assert math.isnan(result.last()["mid_radius"])
+    assert result.last()["wall_volume"] == pytest.approx(
+        result.segments()[0]["wall_volume"], rel=1e-9)
+
+
+def points_in_the_wall(n_around, n_along):
+    """Centres of cells of the wall of segment.prm, a quarter of a tube."""
+    for i in range(n_around):
+        angle = (i + 0.5) / n_around * math.pi / 2
+        for j in range(n_along):
+            yield 0.3 + (j + 0.5) / n_along * 3, 3.15 * math.cos(angle), \
+                3.15 * math.sin(angle)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_fibres_from_a_file_are_those_of_the_formula(ranks, tmp_path):
+    """The finer the points the nearer; the wall's ends are beyond them."""
+    base = HERE / "segment.prm"
+    formula = run_well(base, tmp_path / "formula").last()
+    differences = []
+    for n in (8, 64):
+        fibres = tmp_path / f"fibres{n}.csv"
+        with open(fibres, "w") as file:
+            print("x, y, z, fx, fy, fz", file=file)
+            for x, y, z in points_in_the_wall(n, 4):
+                print(f"{x}, {y}, {z}, 0, {-z}, {y}", file=file)
+        case = tmp_path / f"case{n}.prm"
+        case.write_text(f"""include {base}
+subsection Muscles
+  subsection circular
+    set Fibres = file
+    subsection file
+      set File  = {fibres}
+    end
+  end
+end
+""")
+        last = run_well(case, tmp_path / f"out{n}", ranks=ranks).last()
+        assert last["fluid_volume"] == pytest.approx(formula["fluid_volume"],
+                                                     rel=1e-8)
+        differences.append(max(
+            abs(last[column] / formula[column] - 1)
+            for column in ("length", "mid_radius")))
+    assert differences[0] < 5e-3
+    assert differences[1] < 1e-4
