@@ -8,7 +8,8 @@ namespace lumbricus
 {
   /**
    * G = mu Grad u, the estimator of Kelly, Gago, Zienkiewicz and Babuska (Int.
-   * J. Numer. Meth. Eng. 19, 1983), weighted by stiffness.
+   * J. Numer. Meth. Eng. 19, 1983), weighted by stiffness. It jumps where
+   * tissues meet, by what the pressure carries there.
    */
   class DisplacementJump : public ErrorEstimator
   {
@@ -20,6 +21,12 @@ namespace lumbricus
     {
       return mu * (F - dealii::unit_symmetric_tensor<dim>());
     }
+
+    bool
+    continuous_between_tissues() const override
+    {
+      return false;
+    }
   };
 
 
@@ -27,5 +34,5 @@ namespace lumbricus
   static const Register<ErrorEstimator, DisplacementJump> displacement_jump(
     "displacement jump",
     "by the jumps of the shear modulus times the displacement's gradient "
-    "between cells (Kelly).");
+    "between cells of the same tissue (Kelly).");
 } // namespace lumbricus

@@ -15,6 +15,14 @@ namespace lumbricus
   {
     using CellIterator = dealii::Triangulation<dim>::active_cell_iterator;
 
+    unsigned int
+    tissue(const CellIterator &cell)
+    {
+      return Region::of(cell->material_id()).tissue;
+    }
+
+
+
     // The flux on a cell, from the fields' values at its nodes.
     class FluxOnCell
     {
@@ -42,9 +50,7 @@ namespace lumbricus
                 sigma[n][i][j] =
                   value(CellFields::stress_component + dim * i + j, n);
           }
-        mu = anatomy.tissue(Region::of(cell->material_id()).tissue)
-               .law()
-               .shear_modulus();
+        mu = anatomy.tissue(tissue(cell)).law().shear_modulus();
       }
 
       // At a quadrature point of scalar shape functions of the fields.
@@ -201,14 +207,18 @@ namespace lumbricus
     const dealii::FE_DGQ<dim> scalar(MixedSpace::degree);
     const FluxOnCell          flux(estimator, fields, anatomy);
 
-    const auto face_term = [](const CellIterator &cell,
-                              const unsigned int  face,
-                              const unsigned int  subface,
-                              const CellIterator &neighbor,
-                              const unsigned int  neighbor_face,
-                              const unsigned int  neighbor_subface,
-                              Scratch            &scratch,
-                              FaceTerms          &result) {
+    const bool between_tissues = estimator.continuous_between_tissues();
+
+    const auto face_term = [&](const CellIterator &cell,
+                               const unsigned int  face,
+                               const unsigned int  subface,
+                               const CellIterator &neighbor,
+                               const unsigned int  neighbor_face,
+                               const unsigned int  neighbor_subface,
+                               Scratch            &scratch,
+                               FaceTerms          &result) {
+      if (!between_tissues && tissue(cell) != tissue(neighbor))
+        return;
       const auto &here = scratch.here.shape.reinit(cell, face, subface);
       const auto &there =
         scratch.there.shape.reinit(neighbor, neighbor_face, neighbor_subface);

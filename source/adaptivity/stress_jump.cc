@@ -15,6 +15,12 @@ namespace lumbricus
     {
       return P;
     }
+
+    bool
+    continuous_between_tissues() const override
+    {
+      return true;
+    }
   };
 
 

@@ -9,6 +9,25 @@
 
 namespace lumbricus
 {
+  namespace
+  {
+    // What all increments after the last one add up to, if each is smaller than
+    // the one before by the same factor. Near the solution, where the method
+    // converges quadratically, this is far on the safe side (Deuflhard, Newton
+    // Methods for Nonlinear Problems, section 2.1).
+    double
+    still_to_come(const std::vector<NewtonIteration> &history)
+    {
+      const double last = history.back().increment;
+      if (history.size() < 2)
+        return last;
+      const double factor = last / history[history.size() - 2].increment;
+      return factor < 1. ? last * std::min(1., factor / (1. - factor)) : last;
+    }
+  } // namespace
+
+
+
   void
   Newton::declare_parameters(dealii::ParameterHandler &prm)
   {
@@ -25,8 +44,9 @@ namespace lumbricus
                       PositiveNumber());
     prm.add_parameter("Increment tolerance",
                       increment_tolerance,
-                      "[-] Largest displacement in the last increment, "
-                      "relative to the size of the body.",
+                      "[-] Largest displacement that is still to come, as far "
+                      "as the last two increments tell, relative to the size "
+                      "of the body.",
                       PositiveNumber());
     prm.add_parameter("Most iterations",
                       most_iterations,
@@ -52,12 +72,10 @@ namespace lumbricus
   {
     std::vector<NewtonIteration> history;
 
-    Vector     current   = x;
-    const auto converged = [&](const NonlinearProblem::Residual &residual,
-                               const double                      increment) {
+    Vector     current  = x;
+    const auto balanced = [&](const NonlinearProblem::Residual &residual) {
       return residual.force <= force_tolerance &&
-             residual.volume <= volume_tolerance &&
-             increment <= increment_tolerance;
+             residual.volume <= volume_tolerance;
     };
     const auto give_up = [&](const std::string &why, const Vector &where) {
       std::ostringstream message;
@@ -79,7 +97,7 @@ namespace lumbricus
     auto residual = problem.residual(current);
     if (!residual.valid)
       give_up("cannot start", current);
-    if (!problem.increments_prescribed() && converged(residual, 0.))
+    if (!problem.increments_prescribed() && balanced(residual))
       return history;
 
     Vector dx    = x;
@@ -119,7 +137,8 @@ namespace lumbricus
         current  = trial;
         residual = trial_residual;
         history.push_back({residual, problem.increment_size(dx), step_length});
-        if (step_length == 1. && converged(residual, history.back().increment))
+        if (step_length == 1. && balanced(residual) &&
+            still_to_come(history) <= increment_tolerance)
           {
             x = current;
             return history;

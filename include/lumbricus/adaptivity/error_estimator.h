@@ -29,6 +29,10 @@ namespace lumbricus
     flux(const double                  mu,
          const dealii::Tensor<2, dim> &F,
          const dealii::Tensor<2, dim> &P) const = 0;
+
+    /** Whether the flux is continuous between different tissues too. */
+    virtual bool
+    continuous_between_tissues() const = 0;
   };
 } // namespace lumbricus
 

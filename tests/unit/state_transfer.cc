@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a change of the mesh does to a state.
+#include <lumbricus/adaptivity/mesh_record.h>
+#include <lumbricus/adaptivity/state_transfer.h>
+#include <lumbricus/discretization/cell_state.h>
+#include <lumbricus/geometry/geometry.h>
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "read_plugin.h"
+
+using namespace lumbricus;
+
+namespace
+{
+  // A quarter of a curved body with liquid and wall, on all ranks, and a state
+  // that is not smooth.
+  class StateTransfer : public ::testing::TestWithParam<bool>
+  {
+  protected:
+    StateTransfer()
+      : triangulation(MPI_COMM_WORLD)
+      , space(triangulation)
+    {
+      read_plugin<Geometry>("open cylinder", "set Cross-section = quarter")
+        ->create_coarse_mesh(triangulation);
+      triangulation.refine_global(1);
+      space.set_finest_curved_level(1);
+      number();
+      state      = space.initial_state();
+      state.time = 0.7;
+      fill();
+    }
+
+    void
+    number()
+    {
+      // With displacements of its own for every second material, as under slip.
+      space.distribute_dofs(
+        GetParam() ?
+          MixedSpace::Separate([](const auto id) { return id % 2 == 0; }) :
+          MixedSpace::Separate());
+    }
+
+    static double
+    noise(const dealii::Point<dim> &X, const unsigned int k)
+    {
+      return std::sin(7. * X[0] + 3. * k) * std::cos(5. * X[1] - k) + X[2] * k;
+    }
+
+    // At every node and for every mode some number that hangs on the place.
+    void
+    fill()
+    {
+      const dealii::FE_Q<dim> q2(MixedSpace::degree);
+      CellStateAccess         access(space);
+      std::vector<double>     values(CellState::size);
+      for_each_cell([&](const auto &cell) {
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+            {
+              const auto X = space.mapping.transform_unit_to_real_cell(
+                cell, q2.unit_support_point(n));
+              values[c * MixedSpace::n_nodes + n] = noise(X, c);
+              values[CellState::rest_begin + c * MixedSpace::n_nodes + n] =
+                noise(X, c + dim);
+            }
+        for (unsigned int m = 0; m < MixedSpace::n_pressure_modes; ++m)
+          values[CellState::pressure_begin + m] = noise(cell->center(), m);
+        access.write(cell, values, state);
+      });
+      state.solution.compress(dealii::VectorOperation::insert);
+      state.rest_displacement.compress(dealii::VectorOperation::insert);
+    }
+
+    template <typename Function>
+    void
+    for_each_cell(const Function &function) const
+    {
+      for (const auto &cell : space.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          function(cell);
+    }
+
+    // int f(u, p, u_ref) dV for an f that is not linear: alike only where the
+    // functions are.
+    double
+    integral() const
+    {
+      Vector relevant(space.locally_owned,
+                      space.locally_relevant,
+                      space.communicator());
+      relevant = state.solution;
+      const dealii::FE_Q<dim>   q2(MixedSpace::degree);
+      const dealii::QGauss<dim> quadrature(6);
+      dealii::FEValues<dim>     shape(space.mapping,
+                                  q2,
+                                  quadrature,
+                                  dealii::update_values |
+                                    dealii::update_JxW_values);
+      CellStateAccess           access(space);
+      std::vector<double>       values;
+      double                    sum = 0.;
+      for_each_cell([&](const auto &cell) {
+        access.read(cell, relevant, state.rest_displacement, values);
+        shape.reinit(dealii::Triangulation<dim>::cell_iterator(cell));
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          {
+            double p = 0.;
+            for (unsigned int m = 0; m < MixedSpace::n_pressure_modes; ++m)
+              p += values[CellState::pressure_begin + m] *
+                   space.fe.shape_value_component(space.pressure_dof[m],
+                                                  quadrature.point(q),
+                                                  dim);
+            double f = p * p;
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                double u = 0., u_ref = 0.;
+                for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+                  {
+                    const double N = shape.shape_value(n, q);
+                    u += N * values[c * MixedSpace::n_nodes + n];
+                    u_ref += N * values[CellState::rest_begin +
+                                        c * MixedSpace::n_nodes + n];
+                  }
+                f += (c + 1) * u * u + (c + 4) * u_ref * u_ref + u * u_ref;
+              }
+            sum += f * shape.JxW(q);
+          }
+      });
+      return dealii::Utilities::MPI::sum(sum, space.communicator());
+    }
+
+    void
+    change()
+    {
+      change_mesh(
+        triangulation, space, [this]() { number(); }, state);
+    }
+
+    // Cells in a corner, so that there are hanging nodes.
+    void
+    refine_some()
+    {
+      mark_where(triangulation, [](const auto &cell) {
+        return cell->center()[0] < 1. && cell->center()[1] < 1.;
+      });
+      change();
+    }
+
+    ParallelMesh triangulation;
+    MixedSpace   space;
+    State        state;
+  };
+} // namespace
+
+
+
+TEST_P(StateTransfer, RefinementChangesNoFunction)
+{
+  const double before  = integral();
+  const auto   n_cells = triangulation.n_global_active_cells();
+  refine_some();
+  EXPECT_GT(triangulation.n_global_active_cells(), n_cells);
+  EXPECT_EQ(state.time, 0.7);
+  EXPECT_NEAR(integral() / before, 1., 1e-13);
+  refine_some();
+  EXPECT_NEAR(integral() / before, 1., 1e-13);
+}
+
+
+
+TEST_P(StateTransfer, MergingUndoesRefinement)
+{
+  const Vector before = state.solution, rest_before = state.rest_displacement;
+  const auto   refined = refined_cells(triangulation);
+  refine_some();
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (cell->is_locally_owned() && cell->level() > 1)
+      cell->set_coarsen_flag();
+  change();
+  ASSERT_EQ(refined_cells(triangulation), refined);
+
+  // Unknowns may be numbered anew, but norms do not care.
+  EXPECT_NEAR(state.solution.l2_norm() / before.l2_norm(), 1., 1e-14);
+  EXPECT_NEAR(state.rest_displacement.l2_norm() / rest_before.l2_norm(),
+              1.,
+              1e-14);
+}
+
+
+
+TEST_P(StateTransfer, WhatHangsIsConforming)
+{
+  triangulation.refine_global(1);
+  number();
+  state = space.initial_state();
+  fill();
+  // Merge some, so that coarse cells get fine neighbours that do not fit.
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (cell->is_locally_owned() && cell->center()[0] < 1.)
+      cell->set_coarsen_flag();
+  change();
+  dealii::AffineConstraints<double> hanging_nodes(space.locally_relevant);
+  dealii::DoFTools::make_hanging_node_constraints(space.dof_handler,
+                                                  hanging_nodes);
+  hanging_nodes.close();
+  EXPECT_GT(dealii::Utilities::MPI::sum(hanging_nodes.n_constraints(),
+                                        space.communicator()),
+            0u);
+  Vector conforming = state.solution;
+  hanging_nodes.distribute(conforming);
+  conforming -= state.solution;
+  EXPECT_LT(conforming.linfty_norm(), 1e-13);
+}
+
+
+
+TEST_P(StateTransfer, AMeshIsMadeAnewFromItsRecord)
+{
+  refine_some();
+  const auto refined = refined_cells(triangulation);
+  const auto n_cells = triangulation.n_global_active_cells();
+  coarsen_completely(triangulation);
+  EXPECT_EQ(triangulation.n_global_levels(), 1u);
+  refine_cells(triangulation, refined);
+  EXPECT_EQ(triangulation.n_global_active_cells(), n_cells);
+  EXPECT_EQ(refined_cells(triangulation), refined);
+}
+
+INSTANTIATE_TEST_SUITE_P(Interface, StateTransfer, ::testing::Bool());
