@@ -126,21 +126,34 @@ def all_faces(fields):
 
 
 def surface_faces(fields):
-    """The faces that belong to one cell only."""
+    """The faces that belong to one cell only, also where a cell has four
+    smaller neighbours."""
     faces = all_faces(fields)
-    return select(faces, occurs_once(integer_keys(faces["points"][:, 1, 1])))
+    points = faces["points"]
+    size = np.ptp(points)
+    parts = interpolate(points, interpolation(5)[1::2]).reshape(-1, 4, 3)
+    return select(faces, have_no_partner(
+        integer_keys(points[:, 1, 1], size), integer_keys(parts, size)))
 
 
-def integer_keys(points):
+def integer_keys(points, size):
     """Positions as integers, the same for the same place in two cells."""
-    return np.floor(points / np.ptp(points) * 1e5 + 0.4142).astype(np.int64)
+    return np.floor(points / size * 1e4 + 0.4142).astype(np.int64)
 
 
-def occurs_once(keys):
-    """Whether a row is unlike all others."""
-    _, index, n = np.unique(keys, axis=0, return_inverse=True,
-                            return_counts=True)
-    return n[index.ravel()] == 1
+def have_no_partner(keys, parts):
+    """Whether a thing with its middle at keys[i], whose parts have theirs at
+    parts[i], is nothing else's equal, part or whole."""
+    n, n_parts = parts.shape[:2]
+    _, index, count = np.unique(keys, axis=0, return_inverse=True,
+                                return_counts=True)
+    alone = count[index.ravel()] == 1
+    _, index = np.unique(np.concatenate([keys, parts.reshape(n * n_parts, -1)]),
+                         axis=0, return_inverse=True)
+    index = index.ravel()
+    wholes, pieces = index[:n], index[n:].reshape(n, n_parts)
+    return (alone & ~np.isin(wholes, pieces)
+            & ~np.isin(pieces, wholes).any(axis=1))
 
 
 def planes_of_cut(faces, body):
@@ -174,7 +187,7 @@ def contraction(fields):
 class Drawing:
     """The visible surface at one time as quadrilaterals, back to front."""
 
-    def __init__(self, pvtu_file, body):
+    def __init__(self, pvtu_file, body, with_mesh):
         faces = surface_faces(opened_body(pvtu_file, body))
         x = faces["points"] + faces["displacement"]
         corners = interpolate(x, interpolation(N_SUBDIVISIONS + 1))
@@ -204,28 +217,38 @@ class Drawing:
         self.normals = normals[order]
         self.pressure = centre(faces["pressure"])[order]
         self.contraction = centre(contraction(faces))[order]
-        self.edges = self.tissue_edges(faces, body)
+        self.edges = self.lines_on_cut(faces, body, with_mesh)
 
     @staticmethod
-    def tissue_edges(faces, body):
-        """Lines around the tissues on the cut: the edges of faces there that
-        only one face of a tissue has."""
+    def lines_on_cut(faces, body, with_mesh):
+        """Lines on the cut: around all cells, or around the tissues, which are
+        the edges that only one cell of a tissue has there."""
         lines = []
         N = interpolation(N_SUBDIVISIONS + 1)
+        halves = interpolation(5)[1::2]
+        size = np.ptp(faces["points"])
         for on_plane in planes_of_cut(faces, body):
             if not on_plane.any():
                 continue
             cut = select(faces, on_plane)
+            tissue = np.tile(np.round(cut["tissue"][:, 1, 1]), 4)
 
             def edges(x):
                 return np.concatenate([x[:, 0], x[:, 2], x[:, :, 0], x[:, :, 2]])
 
-            keys = np.column_stack([
-                integer_keys(edges(cut["points"])[:, 1]),
-                np.tile(np.round(cut["tissue"][:, 1, 1]), 4).astype(np.int64)])
+            def keys(x):
+                """With the tissue: [edge, part, 4]."""
+                return np.concatenate([
+                    integer_keys(x, size),
+                    np.broadcast_to(tissue.astype(np.int64)[:, None, None],
+                                    (*x.shape[:2], 1))], axis=2)
+
+            rest = edges(cut["points"])
+            shown = np.full(len(rest), True) if with_mesh else have_no_partner(
+                keys(rest[:, 1:2])[:, 0],
+                keys(np.einsum("ai,eij->eaj", halves, rest)))
             moved = edges(cut["points"] + cut["displacement"])
-            lines.extend(VIEW.project(N @ line)
-                         for line in moved[occurs_once(keys)])
+            lines.extend(VIEW.project(N @ line) for line in moved[shown])
         return lines
 
     def colours(self, pressure_norm, contraction_norm):
@@ -260,10 +283,10 @@ def save(figure, file_name):
     Image.open(buffer).convert("RGB").reduce(3).save(file_name, optimize=True)
 
 
-def draw_body(folder, parameters, wanted_times, n_times, columns):
+def draw_body(folder, parameters, wanted_times, n_times, columns, with_mesh):
     body = Body(parameters)
     shown = choose_times(read_series(folder), wanted_times, n_times)
-    drawings = [Drawing(name, body) for _, name in shown]
+    drawings = [Drawing(name, body, with_mesh) for _, name in shown]
 
     top = max((d.pressure[d.liquid].max() for d in drawings
                if d.liquid.any()), default=0.0)
@@ -402,6 +425,8 @@ def main():
                         help="how many evenly spaced times (default: 6)")
     parser.add_argument("--columns", type=int, default=0,
                         help="bodies side by side (default: as fits)")
+    parser.add_argument("--mesh", action="store_true",
+                        help="draw the cells on the cut")
     arguments = parser.parse_args()
     if not (pathlib.Path(arguments.folder) / "solution.pvd").exists():
         print(f"picture.py: no solution.pvd in '{arguments.folder}'; give the "
@@ -409,7 +434,7 @@ def main():
         return 1
     parameters = read_parameters(arguments.folder)
     draw_body(arguments.folder, parameters, arguments.times, arguments.count,
-              arguments.columns)
+              arguments.columns, arguments.mesh)
     draw_table(arguments.folder, parameters)
     print(f"Wrote picture.png and segments.png to {arguments.folder}")
     return 0

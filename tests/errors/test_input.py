@@ -65,6 +65,25 @@ end
 # What is wrong; the base; settings, or text that follows the base; what the
 # message has to say: the parameter first, the way out last.
 MISTAKES = [
+    # Adaptivity.
+    ("levels of a tissue that is not there", CHAIN,
+     ["Adaptivity/Levels of tissues=skin: 1 - 2"],
+     ["'Adaptivity/Levels of tissues'", "'skin'", "does not have",
+      "'wall'", "'septum'", "'cap'", "'liquid'"]),
+    ("levels that are none", CHAIN,
+     ["Adaptivity/Levels of tissues=wall: 3 - 1"],
+     ["'Adaptivity/Levels of tissues'", "'3 - 1'", "'wall'", "like '1 - 3'"]),
+    ("one level only", CHAIN, ["Adaptivity/Levels of tissues=wall: 3"],
+     ["'Adaptivity/Levels of tissues'", "'3'", "two numbers"]),
+    ("levels the wrong way round", CHAIN,
+     ["Adaptivity/Coarsest level=2", "Adaptivity/Finest level=1"],
+     ["'Adaptivity/Finest level'", "'Coarsest level'", "is 1"]),
+    ("rule that was not chosen", CHAIN,
+     ["Adaptivity/number of unknowns/Target=100"],
+     ["'Adaptivity/number of unknowns' is not used",
+      "'Adaptivity/Marking' is 'fraction of error'"]),
+    ("estimator that does not exist", CHAIN, ["Adaptivity/Estimator=kelly"],
+     ["'Adaptivity/Estimator'", "'displacement jump'", "'stress jump'"]),
     # Names.
     ("misspelt parameter", BLOCK, ["Time/Ende=1"],
      ["'Time/Ende' is unknown", "Did you mean 'Time/End'?"]),
