@@ -44,7 +44,10 @@ namespace lumbricus
   Supports::reinit()
   {
     base.clear();
-    base.reinit(space.locally_relevant);
+    // Under slip an unknown may hang on others that this rank does not know.
+    base.reinit(interface.exists() ?
+                  dealii::complete_index_set(space.dof_handler.n_dofs()) :
+                  space.locally_relevant);
     dealii::DoFTools::make_hanging_node_constraints(space.dof_handler, base);
     prescribed.clear();
     prescribe_boundaries();
