@@ -181,6 +181,11 @@ namespace lumbricus
             // An expression without a value at a new point.
             trouble = plain_message(exception);
           }
+        catch (const ExcSolveFailed &exception)
+          {
+            // Too little memory for so many unknowns.
+            trouble = plain_message(exception);
+          }
         if (!trouble.empty())
           {
             log << "        the mesh stays as it was: " << trouble << "\n";

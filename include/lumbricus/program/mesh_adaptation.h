@@ -11,7 +11,7 @@ namespace lumbricus
   /**
    * One adaptation: estimate the error of @p state, refine and coarsen, take
    * the state along, and solve again at the same load. Where that does not
-   * converge, mesh and state are as they were before, and the log says so.
+   * work, mesh and state are as they were before, and the log says so.
    * @param last the last solve for @p state.
    * @return what was done; its report is that of solving again. Collective.
    */
