@@ -12,11 +12,13 @@ SEGMENT = SOURCE / "tests" / "physics" / "segment.prm"
 # Of the segment's 20 cells refined twice: 160 faces between liquid and wall or caps,
 # each of a cell of its own there, and of 144 cells of the liquid, of which 16 have two.
 N_INTERFACE_CELLS = 160 + 144
-STRETCHED = ["Geometry/block/Cells=8, 8, 8", "Boundary conditions/Names=pull",
+STRETCHED = ["Geometry/block/Cells=8, 8, 8", "Time/First step=0.5",
+             "Time/Largest step=0.5", "Time/End=0.5",
+             "Boundary conditions/Names=pull",
              "Boundary conditions/pull/Boundary=x max",
              "Boundary conditions/pull/Type=displacement",
              "Boundary conditions/pull/displacement/Components=x",
-             "Boundary conditions/pull/displacement/Displacement=0.2*t, 0, 0"]
+             "Boundary conditions/pull/displacement/Displacement=0.2*t; 0; 0"]
 BARS = {"wall": [],
         "wall with a muscle": [
             "Tissues/bar/Muscles=m", "Muscles/m/Fibres=longitudinal",
@@ -37,7 +39,7 @@ def assembly(name, case, settings):
 def main():
     costs = {name: assembly(name, BAR, STRETCHED + settings)[0]
              for name, settings in BARS.items()}
-    refined = ["Mesh/Global refinements=2", "Time/End=0.4"]
+    refined = ["Mesh/Global refinements=2", "Time/End=0.2"]
     tied, cells = assembly("tied", SEGMENT, refined)
     slip, _ = assembly("slip", SEGMENT, refined + ["Interface/Coupling=slip"])
     costs["segment, tied, mean of all cells"] = tied
