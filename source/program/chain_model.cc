@@ -35,8 +35,9 @@ namespace lumbricus
                   timer)
   {
     triangulation.signals.weight.connect(
-      [this](const ParallelMesh::cell_iterator &cell, const auto /*status*/) {
-        return cell_cost(cell, is_slip_interface());
+      [slips = is_slip_interface()](const ParallelMesh::cell_iterator &cell,
+                                    const auto /*status*/) {
+        return cell_cost(cell, slips);
       });
   }
 

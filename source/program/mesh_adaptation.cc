@@ -125,6 +125,7 @@ namespace lumbricus
     void
     change_mesh(ChainModel &model, State &state)
     {
+      const IsSlipInterface slips = model.is_slip_interface();
       do
         change_mesh(
           model.triangulation,
@@ -132,7 +133,7 @@ namespace lumbricus
           [&]() { model.number_unknowns(); },
           state);
       while (mark_where(model.triangulation, [&](const auto &cell) {
-        return coarser_across_interface(cell, model.is_slip_interface());
+        return coarser_across_interface(cell, slips);
       }));
       model.reinit();
     }
