@@ -2,18 +2,17 @@
 #include <lumbricus/discretization/assembler.h>
 #include <lumbricus/discretization/same_cell.h>
 
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/grid/filtered_iterator.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lumbricus
 {
   namespace
   {
-    constexpr unsigned int n_nodes = MixedSpace::n_nodes;
-    constexpr unsigned int n_modes = MixedSpace::n_pressure_modes;
+    constexpr unsigned int n_nodes    = MixedSpace::n_nodes;
+    constexpr unsigned int n_per_cell = CellUnknowns::n_per_cell;
   } // namespace
 
 
@@ -30,9 +29,9 @@ namespace lumbricus
     , conditions(conditions)
     , references(references)
     , supports(supports)
+    , unknowns(space)
+    , linearisation(space, shapes, unknowns)
     , kernel(std::make_unique<ElementKernel>())
-    , cell_matrix(space.fe.n_dofs_per_cell())
-    , cell_vector(space.fe.n_dofs_per_cell())
     , face_values(space.mapping,
                   space.fe,
                   space.face_quadrature,
@@ -46,30 +45,12 @@ namespace lumbricus
   void
   Assembler::reinit()
   {
-    // The rows this rank writes to: its own, those of its ghosts, and what
-    // these hang on.
-    dealii::IndexSet writable = space.locally_relevant;
-    for (const auto &line : supports.constraints().get_lines())
-      for (const auto &[index, weight] : line.entries)
-        writable.add_index(index);
-    writable.compress();
-
-    dealii::TrilinosWrappers::SparsityPattern pattern(space.locally_owned,
-                                                      space.locally_owned,
-                                                      writable,
-                                                      space.communicator());
-    dealii::DoFTools::make_sparsity_pattern(
-      space.dof_handler,
-      pattern,
-      supports.constraints(),
-      false,
-      dealii::Utilities::MPI::this_mpi_process(space.communicator()));
-    pattern.compress();
-    tangent.reinit(pattern);
-    rhs.reinit(space.locally_owned, space.communicator());
-    relevant_solution.reinit(space.locally_owned,
-                             space.locally_relevant,
-                             space.communicator());
+    unknowns.reinit(supports.constraints());
+    linearisation.reinit();
+    linearisation.symmetric = conditions.symmetric();
+    u                       = unknowns.make_vector();
+    sum                     = unknowns.make_vector();
+    rhs                     = unknowns.make_vector();
   }
 
 
@@ -77,7 +58,9 @@ namespace lumbricus
   Assembler::Report
   Assembler::residual(const Vector &solution, const double t, Vector &r)
   {
-    return assemble(solution, t, false, r);
+    const Report report = assemble(solution, t, false);
+    std::copy(sum.begin(), sum.end(), r.begin());
+    return report;
   }
 
 
@@ -85,28 +68,24 @@ namespace lumbricus
   Assembler::Report
   Assembler::linearise(const Vector &solution, const double t)
   {
-    return assemble(solution, t, true, rhs);
+    unknowns.update_inhomogeneities(supports.constraints());
+    const Report report = assemble(solution, t, true);
+    rhs.copy_locally_owned_data_from(sum);
+    rhs *= -1.;
+    return report;
   }
 
 
 
-  bool
-  Assembler::symmetric() const
+  const Tangent &
+  Assembler::tangent() const
   {
-    return conditions.symmetric();
+    return linearisation;
   }
 
 
 
-  const Matrix &
-  Assembler::matrix() const
-  {
-    return tangent;
-  }
-
-
-
-  const Vector &
+  const CellVector &
   Assembler::right_hand_side() const
   {
     return rhs;
@@ -117,34 +96,34 @@ namespace lumbricus
   Assembler::Report
   Assembler::assemble(const Vector &solution,
                       const double  t,
-                      const bool    with_tangent,
-                      Vector       &vector)
+                      const bool    with_tangent)
   {
-    relevant_solution = solution;
-    vector            = 0.;
+    std::copy(solution.begin(), solution.end(), u.begin());
+    u.update_ghost_values();
+    sum = 0.;
     if (with_tangent)
-      tangent = 0.;
+      linearisation.clear_surface_matrices();
 
     Report report;
-    report.min_J            = std::numeric_limits<double>::max();
-    double       sum        = 0.;
-    unsigned int cell_index = 0;
-
-    std::vector<dealii::types::global_dof_index> indices(
-      space.fe.n_dofs_per_cell());
+    report.min_J              = std::numeric_limits<double>::max();
+    double       force_square = 0.;
+    unsigned int cell_index   = 0;
+    double       values[n_per_cell], change[n_per_cell];
     for (const auto &cell : space.dof_handler.active_cell_iterators() |
                               dealii::IteratorFilters::LocallyOwnedCell())
       {
         const unsigned int i      = cell_index++;
         const Region       region = Region::of(cell->material_id());
+        const MaterialLaw &law    = anatomy.tissue(region.tissue).law();
 
-        kernel->read(space, cell, relevant_solution, indices);
+        unknowns.read(i, u, values);
+        kernel->set(values);
         const double min_J =
           kernel->evaluate(shapes.cell(i),
                            shapes.pressure_modes(),
-                           anatomy.tissue(region.tissue).law(),
+                           law,
                            references.cell(i),
-                           with_tangent);
+                           with_tangent ? &linearisation.cell(i) : nullptr);
         if (!(min_J >= report.min_J))
           {
             report.min_J         = min_J;
@@ -155,29 +134,30 @@ namespace lumbricus
 
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int n = 0; n < n_nodes; ++n)
-            sum += kernel->force[c][n] * kernel->force[c][n];
-        gather_blocks(with_tangent);
+            force_square += kernel->force[c][n] * kernel->force[c][n];
+        kernel->get_residual(values);
         if (cell->at_boundary())
-          add_surface_terms(cell, t, with_tangent);
+          add_surface_terms(cell, i, t, with_tangent, values);
 
         if (with_tangent)
           {
-            cell_vector *= -1.;
-            supports.constraints().distribute_local_to_global(
-              cell_matrix, cell_vector, indices, tangent, vector);
+            // What is prescribed and still missing pulls at the free unknowns.
+            linearisation.shear_modulus[i] = law.shear_modulus();
+            double missing[n_per_cell];
+            if (unknowns.read_inhomogeneity(i, missing))
+              {
+                linearisation.vmult_cell(i, missing, change);
+                for (unsigned int k = 0; k < n_per_cell; ++k)
+                  values[k] += change[k];
+              }
           }
-        else
-          supports.constraints().distribute_local_to_global(cell_vector,
-                                                            indices,
-                                                            vector);
+        unknowns.add(i, values, sum);
       }
+    sum.compress(dealii::VectorOperation::add);
 
-    vector.compress(dealii::VectorOperation::add);
-    if (with_tangent)
-      tangent.compress(dealii::VectorOperation::add);
-
-    const auto comm    = space.communicator();
-    report.force_level = std::sqrt(dealii::Utilities::MPI::sum(sum, comm));
+    const auto comm = space.communicator();
+    report.force_level =
+      std::sqrt(dealii::Utilities::MPI::sum(force_square, comm));
     const auto least = dealii::Utilities::MPI::min_max_avg(report.min_J, comm);
     report.min_J_segment =
       dealii::Utilities::MPI::broadcast(comm,
@@ -190,42 +170,12 @@ namespace lumbricus
 
 
   void
-  Assembler::gather_blocks(const bool with_tangent)
-  {
-    const auto &u = space.displacement_dof;
-    const auto &p = space.pressure_dof;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int n = 0; n < n_nodes; ++n)
-        cell_vector(u[i][n]) = kernel->force[i][n];
-    for (unsigned int m = 0; m < n_modes; ++m)
-      cell_vector(p[m]) = kernel->volume[m];
-
-    if (!with_tangent)
-      return;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int k = 0; k < dim; ++k)
-        for (unsigned int n = 0; n < n_nodes; ++n)
-          for (unsigned int m = 0; m < n_nodes; ++m)
-            cell_matrix(u[i][n], u[k][m]) = kernel->K_uu(i, k, n, m);
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int n = 0; n < n_nodes; ++n)
-        for (unsigned int m = 0; m < n_modes; ++m)
-          {
-            cell_matrix(u[i][n], p[m]) = kernel->K_up[i][n][m];
-            cell_matrix(p[m], u[i][n]) = kernel->K_up[i][n][m];
-          }
-    for (unsigned int n = 0; n < n_modes; ++n)
-      for (unsigned int m = 0; m < n_modes; ++m)
-        cell_matrix(p[n], p[m]) = kernel->K_pp[n][m];
-  }
-
-
-
-  void
   Assembler::add_surface_terms(
     const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+    const unsigned int                                   i,
     const double                                         t,
-    const bool                                           with_tangent)
+    const bool                                           with_tangent,
+    double                                              *residual)
   {
     for (const auto &face : cell->face_iterators())
       {
@@ -254,11 +204,11 @@ namespace lumbricus
                 const unsigned int dof = space.displacement_dof[0][n];
                 gradients[n]           = face_values.shape_grad(dof, q);
                 values[n]              = face_values.shape_value(dof, q);
-                for (unsigned int i = 0; i < dim; ++i)
+                for (unsigned int c = 0; c < dim; ++c)
                   {
-                    point.u[i] += kernel->u[i][n] * values[n];
+                    point.u[c] += kernel->u[c][n] * values[n];
                     for (unsigned int J = 0; J < dim; ++J)
-                      point.F[i][J] += kernel->u[i][n] * gradients[n][J];
+                      point.F[c][J] += kernel->u[c][n] * gradients[n][J];
                   }
               }
 
@@ -270,20 +220,21 @@ namespace lumbricus
                 condition->surface(point, response);
                 const double w = face_values.JxW(q);
                 for (unsigned int n = 0; n < n_nodes; ++n)
-                  for (unsigned int i = 0; i < dim; ++i)
-                    cell_vector(space.displacement_dof[i][n]) -=
-                      w * values[n] * response.T[i];
-                if (!with_tangent)
+                  for (unsigned int c = 0; c < dim; ++c)
+                    residual[CellUnknowns::displacement(c, n)] -=
+                      w * values[n] * response.T[c];
+                if (!with_tangent || !response.depends_on_shape())
                   continue;
-                for (unsigned int i = 0; i < dim; ++i)
+                auto &matrix = linearisation.surface_matrix(i);
+                for (unsigned int c = 0; c < dim; ++c)
                   for (unsigned int k = 0; k < dim; ++k)
                     for (unsigned int m = 0; m < n_nodes; ++m)
                       {
-                        const double dT = response.dT_du[i][k] * values[m] +
-                                          response.dT_dF[i][k] * gradients[m];
+                        const double dT = response.dT_du[c][k] * values[m] +
+                                          response.dT_dF[c][k] * gradients[m];
                         for (unsigned int n = 0; n < n_nodes; ++n)
-                          cell_matrix(space.displacement_dof[i][n],
-                                      space.displacement_dof[k][m]) -=
+                          matrix[CellUnknowns::displacement(c, n) * n_per_cell +
+                                 CellUnknowns::displacement(k, m)] -=
                             w * values[n] * dT;
                       }
               }

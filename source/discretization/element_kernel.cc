@@ -5,21 +5,6 @@
 #include <cstring>
 #include <limits>
 
-extern "C" void
-dgemm_(const char   *transa,
-       const char   *transb,
-       const int    *m,
-       const int    *n,
-       const int    *k,
-       const double *alpha,
-       const double *a,
-       const int    *lda,
-       const double *b,
-       const int    *ldb,
-       const double *beta,
-       double       *c,
-       const int    *ldc);
-
 namespace lumbricus
 {
   void
@@ -38,21 +23,52 @@ namespace lumbricus
 
 
 
+  void
+  ElementKernel::set(const double *values)
+  {
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        u[c][n] = values[CellUnknowns::displacement(c, n)];
+    for (unsigned int m = 0; m < n_modes; ++m)
+      p[m] = values[CellUnknowns::pressure(m)];
+  }
+
+
+
+  void
+  ElementKernel::get_residual(double *values) const
+  {
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        values[CellUnknowns::displacement(c, n)] = force[c][n];
+    for (unsigned int m = 0; m < n_modes; ++m)
+      values[CellUnknowns::pressure(m)] = volume[m];
+  }
+
+
+
   double
   ElementKernel::compute_deformation(const ShapeCache::Cell &cell)
   {
     double min_J = std::numeric_limits<double>::max();
     for (unsigned int q = 0; q < n_q; ++q)
       {
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int J = 0; J < dim; ++J)
-            {
-              const double *gradient = cell.gradients + (dim * q + J) * padded;
-              double        sum      = 0.;
-              for (unsigned int n = 0; n < padded; ++n)
-                sum += u[i][n] * gradient[n];
-              F[q][i][J] = sum + (i == J ? 1. : 0.);
-            }
+        for (unsigned int J = 0; J < dim; ++J)
+          {
+            const double *g     = cell.gradients + (dim * q + J) * padded;
+            double        sum_0 = 0., sum_1 = 0., sum_2 = 0.;
+#pragma omp simd reduction(+ : sum_0, sum_1, sum_2)
+            for (unsigned int n = 0; n < padded; ++n)
+              {
+                sum_0 += u[0][n] * g[n];
+                sum_1 += u[1][n] * g[n];
+                sum_2 += u[2][n] * g[n];
+              }
+            F[q][0][J] = sum_0;
+            F[q][1][J] = sum_1;
+            F[q][2][J] = sum_2;
+            F[q][J][J] += 1.;
+          }
         min_J = std::min(min_J, dealii::determinant(F[q]));
       }
     return min_J;
@@ -90,7 +106,7 @@ namespace lumbricus
                           const double           *pressure_modes,
                           const MaterialLaw      &law,
                           const ReferencePoint   *references,
-                          const bool              with_tangent)
+                          CellLinearisation      *linearisation)
   {
     const double min_J = compute_deformation(cell);
     if (!(min_J > 0.))
@@ -98,43 +114,17 @@ namespace lumbricus
 
     std::memset(force, 0, sizeof(force));
     std::memset(volume, 0, sizeof(volume));
-    if (with_tangent)
-      {
-        std::memset(K_up, 0, sizeof(K_up));
-        std::memset(K_pp, 0, sizeof(K_pp));
-      }
-
     MaterialResponse response;
     for (unsigned int q = 0; q < n_q; ++q)
       {
         law.evaluate(F[q],
                      pressure(pressure_modes, q),
                      references[q],
-                     with_tangent,
+                     linearisation != nullptr,
                      response);
         add_residual(cell, pressure_modes, q, response);
-        if (with_tangent)
-          add_tangent(cell, pressure_modes, q, response);
-      }
-
-    if (with_tangent)
-      {
-        // K_blocks = G^T H, with G the gradients; BLAS counts columns first.
-        const int    m = n_blocks * padded, n = padded, k = n_q * dim;
-        const double one = 1., zero = 0.;
-        dgemm_("N",
-               "T",
-               &m,
-               &n,
-               &k,
-               &one,
-               &H[0][0],
-               &m,
-               cell.gradients,
-               &n,
-               &zero,
-               &K_blocks[0][0],
-               &m);
+        if (linearisation != nullptr)
+          linearisation->set(q, response, cell.JxW[q]);
       }
     return min_J;
   }
@@ -159,48 +149,5 @@ namespace lumbricus
       }
     for (unsigned int m = 0; m < n_modes; ++m)
       volume[m] += pressure_modes[n_modes * q + m] * response.c * cell.JxW[q];
-  }
-
-
-
-  void
-  ElementKernel::add_tangent(const ShapeCache::Cell &cell,
-                             const double           *pressure_modes,
-                             const unsigned int      q,
-                             const MaterialResponse &response)
-  {
-    const double  w   = cell.JxW[q];
-    const double *g0  = cell.gradients + dim * q * padded;
-    const double *g1  = g0 + padded;
-    const double *g2  = g1 + padded;
-    const double *psi = pressure_modes + n_modes * q;
-
-    // H(i,k)[3 q + J][m] = w A_iJkL dN_m/dX_L
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int J = 0; J < dim; ++J)
-        for (unsigned int k = i; k < dim; ++k)
-          {
-            const double *A  = response.A[dim * i + J] + dim * k;
-            const double  a0 = w * A[0], a1 = w * A[1], a2 = w * A[2];
-            double       *h = H[dim * q + J] + block(i, k) * padded;
-            for (unsigned int m = 0; m < padded; ++m)
-              h[m] = a0 * g0[m] + a1 * g1[m] + a2 * g2[m];
-          }
-
-    for (unsigned int i = 0; i < dim; ++i)
-      {
-        const double q0 = w * response.Q[i][0], q1 = w * response.Q[i][1],
-                     q2 = w * response.Q[i][2];
-        for (unsigned int n = 0; n < n_nodes; ++n)
-          {
-            const double v = q0 * g0[n] + q1 * g1[n] + q2 * g2[n];
-            for (unsigned int m = 0; m < n_modes; ++m)
-              K_up[i][n][m] += v * psi[m];
-          }
-      }
-
-    for (unsigned int n = 0; n < n_modes; ++n)
-      for (unsigned int m = 0; m < n_modes; ++m)
-        K_pp[n][m] += w * response.dc_dp * psi[n] * psi[m];
   }
 } // namespace lumbricus

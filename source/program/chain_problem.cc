@@ -68,6 +68,7 @@ namespace lumbricus
     if (checkpoint != nullptr)
       go_on_from(*checkpoint, state, step, results);
     model.references.update(state);
+    parameters.predictor.accept(state);
     if (checkpoint == nullptr)
       results.write(state, step);
 
@@ -147,6 +148,8 @@ namespace lumbricus
             save_or_say(save);
             // So that a run that goes on from here does the same.
             model.equilibrium.forget_factors();
+            parameters.predictor.forget();
+            parameters.predictor.accept(state);
           }
       }
   }
@@ -221,21 +224,31 @@ namespace lumbricus
   {
     LoadStepping &stepping = parameters.load_stepping;
     StepRecord    step;
-    for (;; ++step.n_cuts)
+    while (true)
       try
         {
-          State next  = state;
-          next.time   = stepping.next_time(state.time);
+          State next = state;
+          next.time  = stepping.next_time(state.time);
+          parameters.predictor.predict(next);
           step.report = model.solve(next);
           step.time   = next.time;
           step.size   = next.time - state.time;
           state       = next;
           stepping.accept(step.report.solves.front().newton.size());
+          parameters.predictor.accept(state);
           return step;
         }
       catch (const ExcNotConverged &exception)
         {
+          // Without the predictor before a shorter step.
+          if (parameters.predictor.ready())
+            {
+              parameters.predictor.forget();
+              parameters.predictor.accept(state);
+              continue;
+            }
           stepping.cut(state.time, plain_message(exception));
+          ++step.n_cuts;
           log << "        cut to " << stepping.step() << ": "
               << plain_message(exception) << "\n";
         }
@@ -255,6 +268,8 @@ namespace lumbricus
           break;
       }
     results.reinit();
+    parameters.predictor.forget();
+    parameters.predictor.accept(state);
   }
 
 

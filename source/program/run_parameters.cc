@@ -24,6 +24,7 @@ namespace lumbricus
     checkpoint_schedule.declare_parameters(prm);
     reset_iteration.declare_parameters(prm);
     newton.declare_parameters(prm);
+    predictor.declare_parameters(prm);
 
     prm.enter_subsection("Linear solver");
     linear_solver.declare_parameters(prm);

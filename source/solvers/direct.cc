@@ -7,41 +7,68 @@
 
 namespace lumbricus
 {
-  /** A factorisation for every matrix. */
+  /** A factorisation in double precision, of all free unknowns, for every
+   * tangent. */
   class Direct : public LinearSolver
   {
   public:
     void
-    reinit(const bool is_symmetric) override
+    reinit(const Tangent &new_tangent) override
     {
-      symmetric = is_symmetric;
-      factors.reset();
+      tangent = &new_tangent;
+      mumps.reset();
     }
 
     void
-    set_matrix(const Matrix &A) override
+    solve(CellVector       &x,
+          const CellVector &b,
+          const double /*tolerance*/) override
     {
       dealii::Timer timer;
-      if (factors == nullptr)
-        factors = std::make_unique<Mumps>(A.get_mpi_communicator(), symmetric);
-      factors->factor(A);
+      factor();
       ++counts.n_factorisations;
       counts.factor_seconds += timer.wall_time();
-    }
 
-    void
-    solve(Vector &x, const Vector &b, const double /*tolerance*/) override
-    {
-      dealii::Timer timer;
-      factors->solve(x, b);
+      timer.restart();
+      numbering.extract(b, values);
+      mumps->solve(values);
+      x = 0.;
+      numbering.insert(values, x);
       ++counts.n_solves;
       ++counts.n_iterations;
       counts.solve_seconds += timer.wall_time();
     }
 
   private:
-    bool                   symmetric = true;
-    std::unique_ptr<Mumps> factors;
+    void
+    factor()
+    {
+      const CellUnknowns &unknowns = tangent->unknowns;
+      if (mumps == nullptr)
+        {
+          const MPI_Comm comm = tangent->space.communicator();
+          numbering.reinit(unknowns, true, comm);
+          mumps = std::make_unique<Mumps<double>>(comm,
+                                                  tangent->symmetric,
+                                                  numbering);
+        }
+      mumps->begin();
+      std::vector<double>       K;
+      std::vector<unsigned int> own;
+      for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
+        {
+          tangent->cell_matrix(i, K);
+          unknowns.apply_constraints(i, K);
+          const auto &places = unknowns.free_unknowns(i, own);
+          mumps->add(places.data(), places.size(), K.data());
+        }
+      mumps->factor();
+    }
+
+    const Tangent                 *tangent = nullptr;
+    FreeNumbering                  numbering;
+    std::unique_ptr<Mumps<double>> mumps;
+    std::vector<double>            values;
   };
 
   static const Register<LinearSolver, Direct>

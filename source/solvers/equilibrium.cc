@@ -56,8 +56,17 @@ namespace lumbricus
     // strain of 1e-6 in the stiffest tissue.
     least_force = 1e-6 * anatomy.wall_stiffness() * length * length;
 
+    reinit_solvers();
+  }
+
+
+
+  void
+  Equilibrium::reinit_solvers()
+  {
     assembler.reinit();
-    linear_solver.reinit(assembler.symmetric());
+    increment = assembler.right_hand_side();
+    linear_solver.reinit(assembler.tangent());
   }
 
 
@@ -75,7 +84,7 @@ namespace lumbricus
   void
   Equilibrium::forget_factors()
   {
-    linear_solver.reinit(assembler.symmetric());
+    linear_solver.reinit(assembler.tangent());
   }
 
 
@@ -85,8 +94,7 @@ namespace lumbricus
   {
     if (!supports.renew_interface(solution))
       return;
-    assembler.reinit();
-    linear_solver.reinit(assembler.symmetric());
+    reinit_solvers();
   }
 
 
@@ -128,12 +136,11 @@ namespace lumbricus
 
 
   void
-  Equilibrium::solve(Vector &dx)
+  Equilibrium::solve(Vector &dx, const double tolerance)
   {
-    constexpr double           tolerance = 1e-6;
     dealii::TimerOutput::Scope scope(timer, "linear solver");
-    linear_solver.set_matrix(assembler.matrix());
-    linear_solver.solve(dx, assembler.right_hand_side(), tolerance);
+    linear_solver.solve(increment, assembler.right_hand_side(), tolerance);
+    std::copy(increment.begin(), increment.end(), dx.begin());
     supports.constraints().distribute(dx);
   }
 

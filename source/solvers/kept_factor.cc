@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/registry.h>
+#include <lumbricus/solvers/condensed_factor.h>
 #include <lumbricus/solvers/linear_solver.h>
-#include <lumbricus/solvers/mumps.h>
 
 #include <deal.II/base/timer.h>
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace lumbricus
 {
   /**
-   * FGMRES, preconditioned by a factorisation of an earlier matrix, which is
-   * kept across Newton iterations, resets and load steps; a new one is made
-   * when the iterations are too many.
+   * FGMRES, preconditioned by a factorisation of an earlier tangent, which is
+   * kept across Newton iterations, resets and load steps for as long as the
+   * iterations it costs are fewer than a new one is worth.
    */
   class KeptFactor : public LinearSolver
   {
@@ -24,30 +27,24 @@ namespace lumbricus
       prm.add_parameter("Most iterations",
                         most_iterations,
                         "[-] With more iterations than these the matrix is "
-                        "factored again.",
+                        "factored again at once.",
                         dealii::Patterns::Integer(1));
     }
 
     void
-    reinit(const bool is_symmetric) override
+    reinit(const Tangent &new_tangent) override
     {
-      symmetric = is_symmetric;
-      matrix    = nullptr;
+      tangent = &new_tangent;
       factors.reset();
     }
 
     void
-    set_matrix(const Matrix &A) override
+    solve(CellVector &x, const CellVector &b, const double tolerance) override
     {
-      matrix = &A;
-      fresh  = false;
-    }
-
-    void
-    solve(Vector &x, const Vector &b, const double tolerance) override
-    {
-      if (factors == nullptr)
+      const bool fresh = factors == nullptr || age.worn_out(factors->cost());
+      if (fresh)
         factor();
+      x              = 0.;
       bool converged = iterate(x, b, tolerance);
       if (!converged && !fresh)
         {
@@ -63,62 +60,82 @@ namespace lumbricus
     }
 
   private:
+    /**
+     * When to factor again: as soon as the last solve cost more iterations
+     * beyond what new factors would need than the average of all since the
+     * last factorisation, its own cost included. That is where the average
+     * has its minimum.
+     */
+    struct Age
+    {
+      unsigned int n_solves   = 0;
+      double       per_decade = 0.;
+      double       excess     = 0.;
+      double       all_excess = 0.;
+
+      void
+      solved(const unsigned int n_iterations, const double tolerance)
+      {
+        const double decades = std::max(1., -std::log10(tolerance));
+        if (n_solves++ == 0)
+          per_decade = n_iterations / decades;
+        excess = std::max(0., n_iterations - per_decade * decades);
+        all_excess += excess;
+      }
+
+      bool
+      worn_out(const double cost_of_factors) const
+      {
+        return n_solves > 0 && excess * n_solves > cost_of_factors + all_excess;
+      }
+    };
+
     void
     factor()
     {
       dealii::Timer timer;
       if (factors == nullptr)
         factors =
-          std::make_unique<Mumps>(matrix->get_mpi_communicator(), symmetric);
-      factors->factor(*matrix);
-      fresh = true;
+          std::make_unique<CondensedFactor>(*tangent,
+                                            tangent->space.communicator());
+      factors->factor();
+      age = Age();
       ++counts.n_factorisations;
       counts.factor_seconds += timer.wall_time();
     }
 
-    /** @return whether FGMRES converged. */
+    /** Go on from @p x; @return whether FGMRES converged. */
     bool
-    iterate(Vector &x, const Vector &b, const double tolerance)
+    iterate(CellVector &x, const CellVector &b, const double tolerance)
     {
-      struct Preconditioner
-      {
-        Mumps &factors;
-
-        void
-        vmult(Vector &y, const Vector &r) const
-        {
-          factors.solve(y, r);
-        }
-      };
-
       dealii::Timer         timer;
       dealii::SolverControl control(most_iterations, tolerance * b.l2_norm());
-      dealii::SolverFGMRES<Vector> solver(
-        control, dealii::SolverFGMRES<Vector>::AdditionalData(most_iterations));
+      dealii::SolverFGMRES<CellVector> solver(
+        control,
+        dealii::SolverFGMRES<CellVector>::AdditionalData(most_iterations));
       bool converged = true;
-      x              = 0.;
       try
         {
-          solver.solve(*matrix, x, b, Preconditioner{*factors});
+          solver.solve(*tangent, x, b, *factors);
         }
       catch (const dealii::SolverControl::NoConvergence &)
         {
           converged = false;
         }
+      age.solved(control.last_step(), tolerance);
       counts.n_iterations += control.last_step();
       counts.solve_seconds += timer.wall_time();
       return converged;
     }
 
-    unsigned int           most_iterations = 25;
-    bool                   symmetric       = true;
-    bool                   fresh           = false;
-    const Matrix          *matrix          = nullptr;
-    std::unique_ptr<Mumps> factors;
+    unsigned int                     most_iterations = 60;
+    const Tangent                   *tangent         = nullptr;
+    std::unique_ptr<CondensedFactor> factors;
+    Age                              age;
   };
 
   static const Register<LinearSolver, KeptFactor>
     kept_factor("kept factor",
-                "MUMPS, the factors kept as preconditioner of FGMRES for as "
-                "long as they are good.");
+                "MUMPS in single precision, the factors kept as preconditioner "
+                "of FGMRES for as long as they are worth it.");
 } // namespace lumbricus

@@ -2,9 +2,10 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/solvers/mumps.h>
 
-#include <Epetra_CrsMatrix.h>
 #include <dmumps_c.h>
+#include <smumps_c.h>
 
+#include <algorithm>
 #include <string>
 
 namespace lumbricus
@@ -12,44 +13,49 @@ namespace lumbricus
   namespace
   {
     // MUMPS' names for what run() does.
-    constexpr int initialise = -1, terminate = -2, analyse = 1, factorise = 2,
+    constexpr int initialise = -1, terminate = -2, analysis = 1, factorise = 2,
                   back_substitute = 3;
 
+    // What of MUMPS depends on the precision.
+    template <typename Number>
+    struct Precision;
 
-
-    // Call function(global_row, global_column, value) for the local entries
-    // that are handed over, always in the same order.
-    template <typename Function>
-    void
-    for_each_entry(const Matrix   &A,
-                   const bool      symmetric,
-                   const Function &function)
+    template <>
+    struct Precision<double>
     {
-      const Epetra_CrsMatrix &matrix = A.trilinos_matrix();
-      for (int local_row = 0; local_row < matrix.NumMyRows(); ++local_row)
-        {
-          const int row = matrix.GRID(local_row);
-          int       n_entries;
-          double   *entries;
-          int      *local_columns;
-          matrix.ExtractMyRowView(local_row, n_entries, entries, local_columns);
-          for (int e = 0; e < n_entries; ++e)
-            {
-              const int column = matrix.GCID(local_columns[e]);
-              if (!symmetric || column <= row)
-                function(row, column, entries[e]);
-            }
-        }
-    }
+      using Data                 = DMUMPS_STRUC_C;
+      static constexpr auto call = dmumps_c;
+
+      static MPI_Datatype
+      mpi()
+      {
+        return MPI_DOUBLE;
+      }
+    };
+
+    template <>
+    struct Precision<float>
+    {
+      using Data                 = SMUMPS_STRUC_C;
+      static constexpr auto call = smumps_c;
+
+      static MPI_Datatype
+      mpi()
+      {
+        return MPI_FLOAT;
+      }
+    };
   } // namespace
 
 
 
-  struct Mumps::Instance
+  template <typename Number>
+  struct Mumps<Number>::Instance
   {
-    DMUMPS_STRUC_C data;
+    typename Precision<Number>::Data data;
 
-    // ICNTL and INFOG by the numbers of MUMPS' manual, which start at one.
+    // ICNTL, INFOG and RINFOG by the numbers of MUMPS' manual, which start at
+    // one.
     MUMPS_INT &
     control(const int i)
     {
@@ -61,13 +67,23 @@ namespace lumbricus
     {
       return data.infog[i - 1];
     }
+
+    double
+    real_info(const int i) const
+    {
+      return data.rinfog[i - 1];
+    }
   };
 
 
 
-  Mumps::Mumps(const MPI_Comm comm, const bool symmetric)
+  template <typename Number>
+  Mumps<Number>::Mumps(const MPI_Comm       comm,
+                       const bool           symmetric,
+                       const FreeNumbering &numbering)
     : comm(comm)
     , symmetric(symmetric)
+    , numbering(numbering)
     , instance(std::make_unique<Instance>())
   {
     instance->data              = {};
@@ -76,7 +92,7 @@ namespace lumbricus
     instance->data.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(comm));
     run(initialise);
 
-    instance->control(1)  = -1; // no messages: run() looks at the result
+    instance->control(1)  = -1; // no messages: factor() looks at the result
     instance->control(2)  = -1;
     instance->control(3)  = -1;
     instance->control(4)  = 0;
@@ -87,40 +103,101 @@ namespace lumbricus
 
 
 
-  Mumps::~Mumps()
+  template <typename Number>
+  Mumps<Number>::~Mumps()
   {
     instance->data.job = terminate;
-    dmumps_c(&instance->data);
+    Precision<Number>::call(&instance->data);
   }
 
 
 
+  template <typename Number>
   void
-  Mumps::run(const int job)
+  Mumps<Number>::run(const int job)
   {
     instance->data.job = job;
-    dmumps_c(&instance->data);
+    Precision<Number>::call(&instance->data);
   }
 
 
 
+  template <typename Number>
   void
-  Mumps::factor(const Matrix &A)
+  Mumps<Number>::begin()
+  {
+    next = 0;
+  }
+
+
+
+  template <typename Number>
+  void
+  Mumps<Number>::add(const unsigned int *places,
+                     const unsigned int  n,
+                     const double       *matrix)
+  {
+    for (unsigned int r = 0; r < n; ++r)
+      for (unsigned int s = 0; s < (symmetric ? r + 1 : n); ++s)
+        {
+          const Number value = static_cast<Number>(matrix[r * n + s]);
+          if (analysed)
+            {
+              AssertIndexRange(next, entries.size());
+              entries[next++] = value;
+              continue;
+            }
+          // MUMPS counts from one.
+          const int row    = numbering.number(places[r]) + 1;
+          const int column = numbering.number(places[s]) + 1;
+          rows.push_back(symmetric ? std::max(row, column) : row);
+          columns.push_back(symmetric ? std::min(row, column) : column);
+          entries.push_back(value);
+        }
+  }
+
+
+
+  template <typename Number>
+  void
+  Mumps<Number>::analyse()
+  {
+    auto &data   = instance->data;
+    data.n       = numbering.size();
+    data.nnz_loc = rows.size();
+    data.irn_loc = rows.data();
+    data.jcn_loc = columns.data();
+    data.a_loc   = entries.data();
+
+    counts =
+      dealii::Utilities::MPI::all_gather(comm,
+                                         static_cast<int>(numbering.n_owned()));
+    offsets = counts;
+    for (unsigned int r = 0, sum = 0; r < counts.size(); ++r)
+      {
+        offsets[r] = sum;
+        sum += counts[r];
+      }
+    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+      centralised.resize(numbering.size());
+
+    run(analysis);
+    AssertThrow(instance->info(1) >= 0,
+                ExcSolveFailed("The analysis of the matrix by MUMPS failed "
+                               "with code " +
+                               std::to_string(instance->info(1)) + ", " +
+                               std::to_string(instance->info(2)) + "."));
+    analysed = true;
+  }
+
+
+
+  template <typename Number>
+  void
+  Mumps<Number>::factor()
   {
     if (!analysed)
-      {
-        read_pattern(A);
-        read_values(A);
-        run(analyse);
-        AssertThrow(instance->info(1) >= 0,
-                    ExcSolveFailed("The analysis of the matrix by MUMPS "
-                                   "failed with code " +
-                                   std::to_string(instance->info(1)) + ", " +
-                                   std::to_string(instance->info(2)) + "."));
-        analysed = true;
-      }
-    else
-      read_values(A);
+      analyse();
 
     // Delayed pivots may need more room than the analysis foresaw.
     constexpr int out_of_estimate[] = {-8, -9, -20};
@@ -158,65 +235,20 @@ namespace lumbricus
 
 
 
+  template <typename Number>
   void
-  Mumps::read_pattern(const Matrix &A)
-  {
-    rows.clear();
-    columns.clear();
-    for_each_entry(A,
-                   symmetric,
-                   [&](const int row, const int column, const double) {
-                     rows.push_back(row + 1);
-                     columns.push_back(column + 1);
-                   });
-    values.resize(rows.size());
-
-    DMUMPS_STRUC_C &data = instance->data;
-    data.n               = A.m();
-    data.nnz_loc         = rows.size();
-    data.irn_loc         = rows.data();
-    data.jcn_loc         = columns.data();
-    data.a_loc           = values.data();
-
-    counts =
-      dealii::Utilities::MPI::all_gather(comm,
-                                         static_cast<int>(A.local_size()));
-    offsets = counts;
-    for (unsigned int r = 0, sum = 0; r < counts.size(); ++r)
-      {
-        offsets[r] = sum;
-        sum += counts[r];
-      }
-    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
-      centralised.resize(A.m());
-  }
-
-
-
-  void
-  Mumps::read_values(const Matrix &A)
-  {
-    std::size_t e = 0;
-    for_each_entry(A, symmetric, [&](const int, const int, const double value) {
-      values[e++] = value;
-    });
-    Assert(e == values.size(), dealii::ExcInternalError());
-  }
-
-
-
-  void
-  Mumps::solve(Vector &x, const Vector &b)
+  Mumps<Number>::solve(std::vector<Number> &values)
   {
     // The right-hand side and the solution are whole on rank 0.
-    const int n_local = b.locally_owned_size();
-    MPI_Gatherv(b.begin(),
-                n_local,
-                MPI_DOUBLE,
+    const MPI_Datatype type = Precision<Number>::mpi();
+    const int          n    = values.size();
+    MPI_Gatherv(values.data(),
+                n,
+                type,
                 centralised.data(),
                 counts.data(),
                 offsets.data(),
-                MPI_DOUBLE,
+                type,
                 0,
                 comm);
     instance->data.rhs = centralised.data();
@@ -228,19 +260,45 @@ namespace lumbricus
     MPI_Scatterv(centralised.data(),
                  counts.data(),
                  offsets.data(),
-                 MPI_DOUBLE,
-                 x.begin(),
-                 n_local,
-                 MPI_DOUBLE,
+                 type,
+                 values.data(),
+                 n,
+                 type,
                  0,
                  comm);
   }
 
 
 
+  template <typename Number>
   int
-  Mumps::memory_in_megabytes() const
+  Mumps<Number>::memory_in_megabytes() const
   {
     return instance->info(21);
   }
+
+
+
+  template <typename Number>
+  double
+  Mumps<Number>::factor_flops() const
+  {
+    return instance->real_info(3);
+  }
+
+
+
+  template <typename Number>
+  double
+  Mumps<Number>::factor_entries() const
+  {
+    // Beyond what an int holds MUMPS counts in millions, with a minus sign.
+    const double n = instance->info(29);
+    return n >= 0. ? n : -1e6 * n;
+  }
+
+
+
+  template class Mumps<double>;
+  template class Mumps<float>;
 } // namespace lumbricus

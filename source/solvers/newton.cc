@@ -4,6 +4,7 @@
 #include <lumbricus/solvers/newton.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -67,6 +68,25 @@ namespace lumbricus
 
 
 
+  double
+  Newton::linear_tolerance(const NonlinearProblem::Residual &residual,
+                           const double                      last_merit) const
+  {
+    // No linear system is solved more accurately than the linearisation
+    // deserves (Eisenstat and Walker 1996, choice 2), nor than the tolerances
+    // ask for.
+    constexpr double most = 1e-2, least = 1e-4, order = 1.6, safety = 0.1;
+    const double     deserved =
+      last_merit > 0. ? std::pow(residual.merit() / last_merit, order) : most;
+    const double needed =
+      safety *
+      std::min(force_tolerance / std::max(residual.force, force_tolerance),
+               volume_tolerance / std::max(residual.volume, volume_tolerance));
+    return std::min(most, std::max({least, needed, deserved}));
+  }
+
+
+
   std::vector<NewtonIteration>
   Newton::solve(NonlinearProblem &problem, Vector &x) const
   {
@@ -100,12 +120,14 @@ namespace lumbricus
     if (!problem.increments_prescribed() && balanced(residual))
       return history;
 
-    Vector dx    = x;
-    Vector trial = x;
+    Vector dx         = x;
+    Vector trial      = x;
+    double last_merit = 0.;
     while (history.size() < most_iterations)
       {
         problem.linearise(current);
-        problem.solve(dx);
+        problem.solve(dx, linear_tolerance(residual, last_merit));
+        last_merit = residual.merit();
 
         // Prescribed displacements are taken whole; what follows the loads
         // makes up for it in the next iterations.

@@ -2,14 +2,12 @@
 #ifndef lumbricus_core_state_h
 #define lumbricus_core_state_h
 
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
 namespace lumbricus
 {
-  /** Distributed vectors and matrices throughout are Trilinos'. */
+  /** What a state is made of: Trilinos' distributed vectors. */
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
-  using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 
   /**
    * All that a run has to remember, as a value: copy it to roll back.

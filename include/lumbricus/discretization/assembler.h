@@ -6,12 +6,12 @@
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/reference_field.h>
 #include <lumbricus/discretization/supports.h>
+#include <lumbricus/discretization/tangent.h>
 #include <lumbricus/loads/boundary_conditions.h>
 
 #include <deal.II/fe/fe_values.h>
 
 #include <memory>
-#include <vector>
 
 namespace lumbricus
 {
@@ -51,7 +51,8 @@ namespace lumbricus
               const ReferenceField     &references,
               const Supports           &supports);
 
-    /** Set up vectors and the matrix, after every change of the mesh. */
+    /** Set up vectors and the tangent, after every change of the mesh or the
+     * constraints. Collective. */
     void
     reinit();
 
@@ -60,38 +61,33 @@ namespace lumbricus
     residual(const Vector &solution, const double t, Vector &r);
 
     /**
-     * Compute the tangent matrix and the right-hand side -r, with the
+     * Compute the tangent and the right-hand side -r, with the
      * inhomogeneities of the supports brought to it. Collective.
      */
     Report
     linearise(const Vector &solution, const double t);
 
-    /** Whether the tangent matrix is symmetric under the loads there are. */
-    bool
-    symmetric() const;
+    /** The tangent that linearise() computed. */
+    const Tangent &
+    tangent() const;
 
-    const Matrix &
-    matrix() const;
-
-    const Vector &
+    const CellVector &
     right_hand_side() const;
 
   private:
     Report
-    assemble(const Vector &solution,
-             const double  t,
-             const bool    with_tangent,
-             Vector       &vector);
+    assemble(const Vector &solution, const double t, const bool with_tangent);
 
-    /** Copy the kernel's blocks to cell_matrix and cell_vector. */
-    void
-    gather_blocks(const bool with_tangent);
-
-    /** Subtract the boundary tractions of a cell from both. */
+    /**
+     * Subtract the boundary tractions of owned cell @p i, at the displacements
+     * that the kernel has, from its residual and add to its tangent.
+     */
     void
     add_surface_terms(const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+                      const unsigned int                                   i,
                       const double                                         t,
-                      const bool with_tangent);
+                      const bool with_tangent,
+                      double    *residual);
 
     const MixedSpace         &space;
     const ShapeCache         &shapes;
@@ -100,13 +96,13 @@ namespace lumbricus
     const ReferenceField     &references;
     const Supports           &supports;
 
-    Matrix tangent;
-    Vector rhs;
-    Vector relevant_solution;
+    CellUnknowns unknowns;
+    Tangent      linearisation;
+    CellVector   u;
+    CellVector   sum;
+    CellVector   rhs;
 
     std::unique_ptr<ElementKernel> kernel;
-    dealii::FullMatrix<double>     cell_matrix;
-    dealii::Vector<double>         cell_vector;
     dealii::FEFaceValues<dim>      face_values;
   };
 } // namespace lumbricus

@@ -2,8 +2,7 @@
 #ifndef lumbricus_discretization_element_kernel_h
 #define lumbricus_discretization_element_kernel_h
 
-#include <lumbricus/discretization/shape_cache.h>
-#include <lumbricus/materials/material_law.h>
+#include <lumbricus/discretization/cell_linearisation.h>
 
 #include <array>
 #include <vector>
@@ -11,13 +10,12 @@
 namespace lumbricus
 {
   /**
-   * The integrals over one cell, in nodal blocks:
+   * The integrals over one cell, by nodes and pressure modes:
    *
-   *   force[i][n]        = int P_iJ dN_n/dX_J dV,
-   *   volume[m]          = int psi_m c dV,
-   *   K_uu(i,k)[n][m]    = int dN_n/dX_J A_iJkL dN_m/dX_L dV,
-   *   K_up[i][n][m]      = int dN_n/dX_J Q_iJ psi_m dV,
-   *   K_pp[n][m]         = int psi_n dc/dp psi_m dV.
+   *   force[i][n] = int P_iJ dN_n/dX_J dV,
+   *   volume[m]   = int psi_m c dV,
+   *
+   * and their linearisation.
    */
   class ElementKernel
   {
@@ -36,19 +34,6 @@ namespace lumbricus
 
     double force[dim][padded];
     double volume[n_modes];
-    double K_up[dim][n_nodes][n_modes];
-    double K_pp[n_modes][n_modes];
-
-    /** K_uu for components i and k at nodes n and m. */
-    double
-    K_uu(const unsigned int i,
-         const unsigned int k,
-         const unsigned int n,
-         const unsigned int m) const
-    {
-      return i <= k ? K_blocks[n][block(i, k) * padded + m] :
-                      K_blocks[m][block(k, i) * padded + n];
-    }
 
     /** Read u and p of @p cell, and its indices, from a ghosted vector. */
     void
@@ -56,6 +41,14 @@ namespace lumbricus
          const dealii::DoFHandler<dim>::active_cell_iterator &cell,
          const Vector                                        &relevant_solution,
          std::vector<dealii::types::global_dof_index>        &indices);
+
+    /** Set u and p from values in the order of CellUnknowns. */
+    void
+    set(const double *values);
+
+    /** Write force and volume in the order of CellUnknowns. */
+    void
+    get_residual(double *values) const;
 
     /** Compute F from u; @return the smallest determinant of F. */
     double
@@ -72,7 +65,7 @@ namespace lumbricus
     pressure(const double *pressure_modes, const unsigned int q) const;
 
     /**
-     * Compute the integrals, of the tangent too where @p with_tangent.
+     * Compute the integrals, and the linearisation where there is one.
      * @param references one ReferencePoint per quadrature point.
      * @return the smallest determinant of F; where that is not positive,
      * nothing else is computed.
@@ -82,31 +75,14 @@ namespace lumbricus
              const double           *pressure_modes,
              const MaterialLaw      &law,
              const ReferencePoint   *references,
-             const bool              with_tangent);
+             CellLinearisation      *linearisation);
 
   private:
-    static constexpr unsigned int n_blocks = 6;
-
-    static constexpr unsigned int
-    block(const unsigned int i, const unsigned int k)
-    {
-      return i == 0 ? k : i + k + 1; // 00 01 02 11 12 22 -> 0 ... 5
-    }
-
     void
     add_residual(const ShapeCache::Cell &cell,
                  const double           *pressure_modes,
                  const unsigned int      q,
                  const MaterialResponse &response);
-
-    void
-    add_tangent(const ShapeCache::Cell &cell,
-                const double           *pressure_modes,
-                const unsigned int      q,
-                const MaterialResponse &response);
-
-    alignas(64) double H[n_q * dim][n_blocks * padded];
-    alignas(64) double K_blocks[padded][n_blocks * padded];
   };
 } // namespace lumbricus
 

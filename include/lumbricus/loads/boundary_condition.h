@@ -35,6 +35,13 @@ namespace lumbricus
     dealii::Tensor<2, dim> dT_du; ///< [N/mm^3]
     /** [i][k][L] = dT_i/dF_kL */
     dealii::Tensor<3, dim> dT_dF;
+
+    /** Whether the derivatives are there at all. */
+    bool
+    depends_on_shape() const
+    {
+      return dT_du.norm_square() > 0. || dT_dF.norm_square() > 0.;
+    }
   };
 
 

@@ -11,6 +11,7 @@
 #include <lumbricus/loads/boundary_conditions.h>
 #include <lumbricus/output/probes.h>
 #include <lumbricus/solvers/linear_solver.h>
+#include <lumbricus/solvers/predictor.h>
 #include <lumbricus/solvers/reset_iteration.h>
 
 #include <string>
@@ -58,6 +59,7 @@ namespace lumbricus
     CheckpointSchedule   checkpoint_schedule;
     ResetIteration       reset_iteration;
     Newton               newton;
+    Predictor            predictor;
     Choice<LinearSolver> linear_solver;
     std::string          output_folder = "results";
     unsigned int         output_every  = 1;

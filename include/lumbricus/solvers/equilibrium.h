@@ -52,7 +52,7 @@ namespace lumbricus
     linearise(const Vector &x) override;
 
     void
-    solve(Vector &dx) override;
+    solve(Vector &dx, const double tolerance) override;
 
     double
     increment_size(const Vector &dx) const override;
@@ -67,6 +67,10 @@ namespace lumbricus
     locate_trouble(const Vector &x) override;
 
   private:
+    /** After every change of the mesh or of what constrains which unknown. */
+    void
+    reinit_solvers();
+
     const MixedSpace    &space;
     const ShapeCache    &shapes;
     const Anatomy       &anatomy;
@@ -82,6 +86,7 @@ namespace lumbricus
     double            least_force       = 0.;
     std::vector<bool> is_pressure;
     Vector            r;
+    CellVector        increment;
   };
 } // namespace lumbricus
 

@@ -3,7 +3,7 @@
 #define lumbricus_solvers_linear_solver_h
 
 #include <lumbricus/core/parameter_owner.h>
-#include <lumbricus/core/state.h>
+#include <lumbricus/discretization/tangent.h>
 
 #include <memory>
 
@@ -22,9 +22,8 @@ namespace lumbricus
 
 
   /**
-   * Solves A x = b for the tangent of the mixed problem (indefinite; symmetric
-   * where the loads are). One matrix at a time: set_matrix(), then solve() as
-   * often as wanted. All functions are collective.
+   * Solves K x = b for the tangent of the mixed problem (indefinite; symmetric
+   * where the loads are). All functions are collective.
    */
   class LinearSolver : public ParameterOwner
   {
@@ -33,20 +32,18 @@ namespace lumbricus
     declare_parameters(dealii::ParameterHandler & /*prm*/) override
     {}
 
-    /** Called when the mesh or the constraints are new: forget the old. */
+    /** Called when the mesh or the constraints are new: forget the old.
+     * @p tangent must live as long as it is used. */
     virtual void
-    reinit(const bool symmetric) = 0;
-
-    /** The values of the matrix are new. It must live until the next call. */
-    virtual void
-    set_matrix(const Matrix &A) = 0;
+    reinit(const Tangent &tangent) = 0;
 
     /**
-     * Solve to the relative residual @p tolerance or better. Throws
+     * Solve with what the tangent is now, to the relative residual
+     * @p tolerance or better; x is zero in the constrained unknowns. Throws
      * ExcNotConverged where that is not possible.
      */
     virtual void
-    solve(Vector &x, const Vector &b, const double tolerance) = 0;
+    solve(CellVector &x, const CellVector &b, const double tolerance) = 0;
 
     const LinearSolverStatistics &
     statistics() const

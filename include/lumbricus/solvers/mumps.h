@@ -2,7 +2,7 @@
 #ifndef lumbricus_solvers_mumps_h
 #define lumbricus_solvers_mumps_h
 
-#include <lumbricus/core/state.h>
+#include <lumbricus/solvers/free_numbering.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -13,33 +13,56 @@ namespace lumbricus
 {
   /**
    * A factorisation by MUMPS (multifrontal, parallel): L D L^T of a symmetric
-   * indefinite matrix or L U. Every rank hands over its own rows; the symbolic
-   * analysis is done once for a pattern. All functions are collective.
+   * indefinite matrix or L U, in double or single precision (@p Number). Every
+   * rank hands over the matrices of its own cells, which MUMPS adds up; the
+   * symbolic analysis is done once for a pattern. All functions are
+   * collective.
    */
+  template <typename Number>
   class Mumps
   {
   public:
-    Mumps(const MPI_Comm comm, const bool symmetric);
+    Mumps(const MPI_Comm       comm,
+          const bool           symmetric,
+          const FreeNumbering &numbering);
     ~Mumps();
 
     Mumps(const Mumps &) = delete;
     Mumps &
     operator=(const Mumps &) = delete;
 
+    /** Before the matrices of all cells are added. */
+    void
+    begin();
+
+    /** Add a square matrix, by rows, in the unknowns at @p places. Always the
+     * same ones, in the same order. */
+    void
+    add(const unsigned int *places, const unsigned int n, const double *matrix);
+
     /**
-     * Factor @p A, whose pattern is that of the first call. Throws
-     * ExcNotConverged for a singular matrix, ExcSolveFailed when memory ends.
+     * Factor the sum. Throws ExcNotConverged for a singular matrix,
+     * ExcSolveFailed when memory ends.
      */
     void
-    factor(const Matrix &A);
+    factor();
 
-    /** x = A^(-1) b with the factors there are. */
+    /** Replace the right-hand side, this rank's entries in the order of the
+     * numbering, by the solution. */
     void
-    solve(Vector &x, const Vector &b);
+    solve(std::vector<Number> &values);
 
     /** Memory of the factorisation on the rank that uses most [MB]. */
     int
     memory_in_megabytes() const;
+
+    /** Operations of the last factorisation on all ranks. */
+    double
+    factor_flops() const;
+
+    /** Entries of the factors on all ranks. */
+    double
+    factor_entries() const;
 
   private:
     struct Instance;
@@ -47,21 +70,18 @@ namespace lumbricus
     void
     run(const int job);
 
-    /** Rows and columns of this rank's entries (lower triangle only where
-     * symmetric), and the order of gathering their values. */
     void
-    read_pattern(const Matrix &A);
-
-    void
-    read_values(const Matrix &A);
+    analyse();
 
     const MPI_Comm            comm;
     const bool                symmetric;
+    const FreeNumbering      &numbering;
     std::unique_ptr<Instance> instance;
     bool                      analysed = false;
+    std::size_t               next     = 0;
     std::vector<int>          rows, columns;
-    std::vector<double>       values;
-    std::vector<double>       centralised;
+    std::vector<Number>       entries;
+    std::vector<Number>       centralised;
     std::vector<int>          counts, offsets;
   };
 } // namespace lumbricus

@@ -40,9 +40,10 @@ namespace lumbricus
     virtual void
     linearise(const Vector &x) = 0;
 
-    /** Compute the increment dx at which the linearised residual vanishes. */
+    /** Compute the increment dx at which the linearised residual is @p
+     * tolerance times what it is without one. */
     virtual void
-    solve(Vector &dx) = 0;
+    solve(Vector &dx, const double tolerance) = 0;
 
     /** The size of an increment relative to the size of the body. */
     virtual double
@@ -93,6 +94,12 @@ namespace lumbricus
     solve(NonlinearProblem &problem, Vector &x) const;
 
   private:
+    /** How accurately to solve the linear system at a residual, when it was
+     * @p last_merit one iteration earlier (0: there was none). */
+    double
+    linear_tolerance(const NonlinearProblem::Residual &residual,
+                     const double                      last_merit) const;
+
     double       force_tolerance     = 1e-9;
     double       volume_tolerance    = 1e-11;
     double       increment_tolerance = 1e-8;

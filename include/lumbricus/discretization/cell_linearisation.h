@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_discretization_cell_linearisation_h
+#define lumbricus_discretization_cell_linearisation_h
+
+#include <lumbricus/discretization/cell_unknowns.h>
+#include <lumbricus/discretization/shape_cache.h>
+#include <lumbricus/materials/material_law.h>
+
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * The linearisation of a cell's integrals, as the derivatives of its
+   * material's response at the quadrature points (MaterialResponse) times the
+   * volume there: enough to apply the tangent without its matrix,
+   *
+   *   (K dx)_u = int (A : Grad du + Q dp) : Grad du' dV,
+   *   (K dx)_p = int (Q : Grad du + dc/dp dp) dp' dV,
+   *
+   * and to compute the matrix where a solver wants that. A is symmetric: its
+   * 45 entries on and above the diagonal are kept. About 14 kB.
+   */
+  class CellLinearisation
+  {
+  public:
+    static constexpr unsigned int n_unknowns = CellUnknowns::n_per_cell;
+
+    /** Set what belongs to quadrature point @p q, with the volume @p JxW. */
+    void
+    set(const unsigned int      q,
+        const MaterialResponse &response,
+        const double            JxW);
+
+    /** y = K x, in the order of CellUnknowns. */
+    void
+    vmult(const ShapeCache::Cell &cell,
+          const double           *pressure_modes,
+          const double           *x,
+          double                 *y) const;
+
+    /** Set @p K to the matrix, by rows, in the order of CellUnknowns. */
+    void
+    matrix(const ShapeCache::Cell &cell,
+           const double           *pressure_modes,
+           std::vector<double>    &K) const;
+
+  private:
+    static constexpr unsigned int n_q      = MixedSpace::n_q_points;
+    static constexpr unsigned int padded_q = 32;
+    static constexpr unsigned int n_pairs  = dim * dim * (dim * dim + 1) / 2;
+
+    /** Where A[a][b] is kept, a <= b. */
+    static constexpr unsigned int
+    pair(const unsigned int a, const unsigned int b)
+    {
+      return a * dim * dim - a * (a + 1) / 2 + b;
+    }
+
+    alignas(64) double A[n_pairs][padded_q]   = {};
+    alignas(64) double Q[dim * dim][padded_q] = {};
+    alignas(64) double dc_dp[padded_q]        = {};
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_discretization_cell_unknowns_h
+#define lumbricus_discretization_cell_unknowns_h
+
+#include <lumbricus/discretization/mixed_space.h>
+
+#include <deal.II/base/partitioner.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <memory>
+#include <vector>
+
+namespace lumbricus
+{
+  /** Vectors that cells read from and add to, and Krylov methods work with. */
+  using CellVector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+
+
+  /**
+   * How the unknowns of the locally owned cells hang together with the free
+   * unknowns of the problem: u_cell = C x (+ inhomogeneity), where C is the
+   * identity for most cells and carries the constraints of the others.
+   *
+   * On a cell the unknowns are ordered such that those which no other cell
+   * shares come first: the displacement of the node in the middle (0, 1, 2),
+   * the pressure modes (3 to 6), then component c of node n at 7 + 3 n + c.
+   */
+  class CellUnknowns
+  {
+  public:
+    static constexpr unsigned int n_per_cell =
+      dim * MixedSpace::n_nodes + MixedSpace::n_pressure_modes;
+    /** Unknowns that a cell shares with no other one. */
+    static constexpr unsigned int n_private =
+      dim + MixedSpace::n_pressure_modes;
+
+    /** Place on the cell of component @p c at node @p n. */
+    static constexpr unsigned int
+    displacement(const unsigned int c, const unsigned int n)
+    {
+      return n == MixedSpace::n_nodes - 1 ? c : n_private + dim * n + c;
+    }
+
+    /** Place on the cell of pressure mode @p m. */
+    static constexpr unsigned int
+    pressure(const unsigned int m)
+    {
+      return dim + m;
+    }
+
+    explicit CellUnknowns(const MixedSpace &space);
+
+    /** Anew after every change of the mesh or the constraints. Collective. */
+    void
+    reinit(const dealii::AffineConstraints<double> &constraints);
+
+    /** Only the inhomogeneities of @p constraints have changed. */
+    void
+    update_inhomogeneities(
+      const dealii::AffineConstraints<double> &constraints);
+
+    /** A vector with the ghost entries that the owned cells need. */
+    CellVector
+    make_vector() const;
+
+    /** Read the entries of owned cell @p i as they are. */
+    void
+    read(const unsigned int i, const CellVector &x, double *values) const;
+
+    /** values = C x. */
+    void
+    read_free(const unsigned int i, const CellVector &x, double *values) const;
+
+    /** Set values to the inhomogeneity; @return whether there is any. */
+    bool
+    read_inhomogeneity(const unsigned int i, double *values) const;
+
+    /** x += C^T values. */
+    void
+    add(const unsigned int i, const double *values, CellVector &x) const;
+
+    /** The free unknowns that owned cell @p i hangs on, as places in a vector;
+     * its private unknowns come first. */
+    const std::vector<unsigned int> &
+    free_unknowns(const unsigned int i, std::vector<unsigned int> &own) const;
+
+    /** Replace a square matrix in the unknowns of the cell, by rows, by
+     * C^T matrix C in its free unknowns. */
+    void
+    apply_constraints(const unsigned int i, std::vector<double> &matrix) const;
+
+    /** Whether the owned entry at a place is a constrained unknown. */
+    const std::vector<bool> &
+    is_constrained() const
+    {
+      return constrained;
+    }
+
+    unsigned int
+    n_cells() const
+    {
+      return of_constrained_cell.size();
+    }
+
+  private:
+    /** C of a cell that has constrained unknowns, by rows. */
+    struct Constrained
+    {
+      std::vector<unsigned int> free_unknowns;
+      std::vector<unsigned int> row_begin;
+      std::vector<unsigned int> column;
+      std::vector<double>       weight;
+      /** Constrained unknowns: place on the cell, index, inhomogeneity. */
+      std::vector<unsigned int>                    rows;
+      std::vector<dealii::types::global_dof_index> indices;
+      std::vector<double>                          inhomogeneities;
+    };
+
+    const unsigned int *
+    places(const unsigned int i) const
+    {
+      return place.data() + std::size_t(i) * n_per_cell;
+    }
+
+    const MixedSpace &space;
+
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner;
+    std::vector<unsigned int>                                  place;
+    std::vector<bool>                                          constrained;
+    std::vector<Constrained> constrained_cells;
+    std::vector<int>         of_constrained_cell; // -1: C is the identity
+  };
+} // namespace lumbricus
+
+#endif

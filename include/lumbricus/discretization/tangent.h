@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_discretization_tangent_h
+#define lumbricus_discretization_tangent_h
+
+#include <lumbricus/discretization/cell_linearisation.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+#include <array>
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * The linearisation of equilibrium at a state, as linear solvers see it: an
+   * operator K on vectors, and its matrix cell by cell for those who want to
+   * factor it. In the free unknowns it is C^T K C (CellUnknowns); the rows of
+   * constrained unknowns are those of the identity.
+   */
+  class Tangent
+  {
+  public:
+    static constexpr unsigned int n_per_cell = CellUnknowns::n_per_cell;
+
+    Tangent(const MixedSpace   &space,
+            const ShapeCache   &shapes,
+            const CellUnknowns &unknowns);
+
+    /** After every change of the mesh. */
+    void
+    reinit();
+
+    /** y = K x. Collective. */
+    void
+    vmult(CellVector &y, const CellVector &x) const;
+
+    /** y_cell = K_cell x_cell for owned cell @p i, without constraints. */
+    void
+    vmult_cell(const unsigned int i, const double *x, double *y) const;
+
+    /** Set @p K to the matrix of owned cell @p i, by rows, without
+     * constraints. */
+    void
+    cell_matrix(const unsigned int i, std::vector<double> &K) const;
+
+    /** M_nm = int psi_n psi_m dV of owned cell @p i, by rows. */
+    std::array<double,
+               MixedSpace::n_pressure_modes * MixedSpace::n_pressure_modes>
+    pressure_mass(const unsigned int i) const;
+
+    /** For the assembler: the linearisation of owned cell @p i. */
+    CellLinearisation &
+    cell(const unsigned int i);
+
+    /** For the assembler: that cell @p i has no boundary tractions. */
+    void
+    clear_surface_matrices();
+
+    /** For the assembler: what the tractions on the boundary of cell @p i add
+     * to its matrix, zero at first. */
+    std::vector<double> &
+    surface_matrix(const unsigned int i);
+
+    /** The shear modulus at zero strain of each owned cell [N/mm^2]. */
+    std::vector<double> shear_modulus;
+
+    /** Whether K is symmetric under the loads there are. */
+    bool symmetric = true;
+
+    const MixedSpace   &space;
+    const ShapeCache   &shapes;
+    const CellUnknowns &unknowns;
+
+  private:
+    dealii::AlignedVector<CellLinearisation> cells;
+    std::vector<int>                         of_surface_cell; // -1: none
+    std::vector<std::vector<double>>         surface_matrices;
+  };
+} // namespace lumbricus
+
+#endif

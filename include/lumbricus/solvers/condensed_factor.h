@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_solvers_condensed_factor_h
+#define lumbricus_solvers_condensed_factor_h
+
+#include <lumbricus/discretization/tangent.h>
+#include <lumbricus/solvers/mumps.h>
+
+namespace lumbricus
+{
+  /**
+   * An approximate inverse of the tangent, for Krylov methods: a factorisation
+   * in single precision of what is left when every cell's private unknowns
+   * (the displacement in its middle and its pressures) are eliminated,
+   *
+   *   S = K_ss - K_sz K_zz^(-1) K_zs.
+   *
+   * So that this is possible for incompressible materials too, K_zz is that of
+   * a material with 1/kappa + 1/(penalty mu) in place of 1/kappa. S has three
+   * unknowns per node and no zeros on its diagonal.
+   */
+  class CondensedFactor
+  {
+  public:
+    /** With more the volume is kept better, but in single precision the
+     * rounding errors of the volume's stiffness drown that of the shape. */
+    static constexpr double penalty = 1e3;
+
+    /** For the pattern of @p tangent. */
+    CondensedFactor(const Tangent &tangent, const MPI_Comm comm);
+
+    /** Factor what the tangent is now. Throws as Mumps::factor(). Collective.
+     */
+    void
+    factor();
+
+    /** y = an approximation of K^(-1) x. Collective. */
+    void
+    vmult(CellVector &y, const CellVector &x) const;
+
+    /** What a factorisation costs, in applications of vmult(). */
+    double
+    cost() const;
+
+  private:
+    static constexpr unsigned int n_private = CellUnknowns::n_private;
+
+    const Tangent       &tangent;
+    FreeNumbering        numbering;
+    mutable Mumps<float> mumps;
+    /** K_zz^(-1) and K_zz^(-1) K_zs of each owned cell, by rows. */
+    std::vector<std::array<double, n_private * n_private>> inverses;
+    std::vector<std::vector<float>>                        couplings;
+    mutable std::vector<float>                             values;
+    mutable CellVector                                     reduced;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/cell_linearisation.h>
+
+#include <algorithm>
+#include <cstring>
+
+extern "C" void
+dgemm_(const char   *transa,
+       const char   *transb,
+       const int    *m,
+       const int    *n,
+       const int    *k,
+       const double *alpha,
+       const double *a,
+       const int    *lda,
+       const double *b,
+       const int    *ldb,
+       const double *beta,
+       double       *c,
+       const int    *ldc);
+
+namespace lumbricus
+{
+  namespace
+  {
+    constexpr unsigned int n_nodes = MixedSpace::n_nodes;
+    constexpr unsigned int n_modes = MixedSpace::n_pressure_modes;
+    constexpr unsigned int padded  = ShapeCache::padded_nodes;
+
+    // Of the nine blocks of components i and k those with i <= k.
+    constexpr unsigned int n_blocks = 6;
+
+    constexpr unsigned int
+    block(const unsigned int i, const unsigned int k)
+    {
+      return i == 0 ? k : i + k + 1; // 00 01 02 11 12 22 -> 0 ... 5
+    }
+  } // namespace
+
+
+
+  void
+  CellLinearisation::set(const unsigned int      q,
+                         const MaterialResponse &response,
+                         const double            JxW)
+  {
+    for (unsigned int a = 0; a < dim * dim; ++a)
+      for (unsigned int b = a; b < dim * dim; ++b)
+        A[pair(a, b)][q] = response.A[a][b] * JxW;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int J = 0; J < dim; ++J)
+        Q[dim * i + J][q] = response.Q[i][J] * JxW;
+    dc_dp[q] = response.dc_dp * JxW;
+  }
+
+
+
+  void
+  CellLinearisation::vmult(const ShapeCache::Cell &cell,
+                           const double           *pressure_modes,
+                           const double           *x,
+                           double                 *y) const
+  {
+    alignas(64) double u[dim][padded] = {};
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        u[c][n] = x[CellUnknowns::displacement(c, n)];
+
+    // Grad du and dp at all points.
+    alignas(64) double h[dim * dim][padded_q] = {};
+    alignas(64) double p[padded_q]            = {};
+    for (unsigned int q = 0; q < n_q; ++q)
+      {
+        for (unsigned int J = 0; J < dim; ++J)
+          {
+            const double *g     = cell.gradients + (dim * q + J) * padded;
+            double        sum_0 = 0., sum_1 = 0., sum_2 = 0.;
+#pragma omp simd reduction(+ : sum_0, sum_1, sum_2)
+            for (unsigned int n = 0; n < padded; ++n)
+              {
+                sum_0 += u[0][n] * g[n];
+                sum_1 += u[1][n] * g[n];
+                sum_2 += u[2][n] * g[n];
+              }
+            h[J][q]           = sum_0;
+            h[dim + J][q]     = sum_1;
+            h[2 * dim + J][q] = sum_2;
+          }
+        for (unsigned int m = 0; m < n_modes; ++m)
+          p[q] +=
+            pressure_modes[n_modes * q + m] * x[CellUnknowns::pressure(m)];
+      }
+
+    // The stress and the change of volume that they cause.
+    alignas(64) double s[dim * dim][padded_q] = {};
+    alignas(64) double c[padded_q];
+    for (unsigned int q = 0; q < padded_q; ++q)
+      c[q] = dc_dp[q] * p[q];
+    for (unsigned int a = 0; a < dim * dim; ++a)
+      {
+        for (unsigned int q = 0; q < padded_q; ++q)
+          {
+            s[a][q] += A[pair(a, a)][q] * h[a][q] + Q[a][q] * p[q];
+            c[q] += Q[a][q] * h[a][q];
+          }
+        for (unsigned int b = a + 1; b < dim * dim; ++b)
+          for (unsigned int q = 0; q < padded_q; ++q)
+            {
+              s[a][q] += A[pair(a, b)][q] * h[b][q];
+              s[b][q] += A[pair(a, b)][q] * h[a][q];
+            }
+      }
+
+    // Their virtual work.
+    alignas(64) double force[dim][padded] = {};
+    double             volume[n_modes]    = {};
+    for (unsigned int q = 0; q < n_q; ++q)
+      {
+        for (unsigned int J = 0; J < dim; ++J)
+          {
+            const double *g   = cell.gradients + (dim * q + J) * padded;
+            const double  s_0 = s[J][q], s_1 = s[dim + J][q],
+                         s_2 = s[2 * dim + J][q];
+            for (unsigned int n = 0; n < padded; ++n)
+              {
+                force[0][n] += s_0 * g[n];
+                force[1][n] += s_1 * g[n];
+                force[2][n] += s_2 * g[n];
+              }
+          }
+        for (unsigned int m = 0; m < n_modes; ++m)
+          volume[m] += pressure_modes[n_modes * q + m] * c[q];
+      }
+
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        y[CellUnknowns::displacement(i, n)] = force[i][n];
+    for (unsigned int m = 0; m < n_modes; ++m)
+      y[CellUnknowns::pressure(m)] = volume[m];
+  }
+
+
+
+  void
+  CellLinearisation::matrix(const ShapeCache::Cell &cell,
+                            const double           *pressure_modes,
+                            std::vector<double>    &K) const
+  {
+    K.resize(n_unknowns * n_unknowns);
+    alignas(64) static thread_local double H[n_q * dim][n_blocks * padded];
+    alignas(64) static thread_local double K_uu[padded][n_blocks * padded];
+    double                                 K_up[dim][n_nodes][n_modes] = {};
+    double                                 K_pp[n_modes][n_modes]      = {};
+
+    for (unsigned int q = 0; q < n_q; ++q)
+      {
+        const double *g0  = cell.gradients + dim * q * padded;
+        const double *g1  = g0 + padded;
+        const double *g2  = g1 + padded;
+        const double *psi = pressure_modes + n_modes * q;
+
+        // H(i,k)[3 q + J][m] = A_iJkL dN_m/dX_L JxW
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int J = 0; J < dim; ++J)
+            for (unsigned int k = i; k < dim; ++k)
+              {
+                double a[dim];
+                for (unsigned int L = 0; L < dim; ++L)
+                  {
+                    const unsigned int iJ = dim * i + J, kL = dim * k + L;
+                    a[L] = A[pair(std::min(iJ, kL), std::max(iJ, kL))][q];
+                  }
+                double *h = H[dim * q + J] + block(i, k) * padded;
+                for (unsigned int m = 0; m < padded; ++m)
+                  h[m] = a[0] * g0[m] + a[1] * g1[m] + a[2] * g2[m];
+              }
+
+        for (unsigned int i = 0; i < dim; ++i)
+          {
+            const double q0 = Q[dim * i][q], q1 = Q[dim * i + 1][q],
+                         q2 = Q[dim * i + 2][q];
+            for (unsigned int n = 0; n < n_nodes; ++n)
+              {
+                const double v = q0 * g0[n] + q1 * g1[n] + q2 * g2[n];
+                for (unsigned int m = 0; m < n_modes; ++m)
+                  K_up[i][n][m] += v * psi[m];
+              }
+          }
+        for (unsigned int n = 0; n < n_modes; ++n)
+          for (unsigned int m = 0; m < n_modes; ++m)
+            K_pp[n][m] += dc_dp[q] * psi[n] * psi[m];
+      }
+
+    // K_uu = G^T H, with G the gradients; BLAS counts columns first.
+    const int    m = n_blocks * padded, n = padded, k = n_q * dim;
+    const double one = 1., zero = 0.;
+    dgemm_("N",
+           "T",
+           &m,
+           &n,
+           &k,
+           &one,
+           &H[0][0],
+           &m,
+           cell.gradients,
+           &n,
+           &zero,
+           &K_uu[0][0],
+           &m);
+
+    const auto at = [&](const unsigned int r,
+                        const unsigned int s) -> double & {
+      return K[r * n_unknowns + s];
+    };
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int k = i; k < dim; ++k)
+        for (unsigned int n = 0; n < n_nodes; ++n)
+          {
+            const unsigned int r      = CellUnknowns::displacement(i, n);
+            const double      *values = K_uu[n] + block(i, k) * padded;
+            for (unsigned int m = 0; m < n_nodes; ++m)
+              {
+                const unsigned int s = CellUnknowns::displacement(k, m);
+                at(r, s) = at(s, r) = values[m];
+              }
+          }
+    for (unsigned int m = 0; m < n_modes; ++m)
+      {
+        const unsigned int s = CellUnknowns::pressure(m);
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int n = 0; n < n_nodes; ++n)
+            {
+              const unsigned int r = CellUnknowns::displacement(i, n);
+              at(r, s) = at(s, r) = K_up[i][n][m];
+            }
+        for (unsigned int n = 0; n < n_modes; ++n)
+          at(CellUnknowns::pressure(n), s) = K_pp[n][m];
+      }
+  }
+} // namespace lumbricus
