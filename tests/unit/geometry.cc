@@ -783,5 +783,7 @@ TEST(Block, PatchesAreCutOutOfTheirFaces)
   expect("subsection left\nset To = 1.5, 5\nend",
          "'Geometry/block/Patches'",
          "'left' and 'right' overlap on 'y min'");
-  expect("set Patches = x max", "'Geometry/block/Patches'", "name of a face");
+  expect("set Patches = punch, left, right, x max",
+         "'Geometry/block/Patches'",
+         "'x max' is the name of a face");
 }
