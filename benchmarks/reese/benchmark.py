@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The time that parameters/block_compression takes, here and with other programs, on
-two cores: ten load steps from making the mesh on, one program after the other. All
-have to find the same displacements. The others run where they are installed:
+two cores: ten load steps from making the mesh on, one program after the other, each
+with its direct solver. All have to find the same displacements. The others run where
+they are installed:
 
     apt-get install python3-dolfinx
     python3 -m venv results/reese/ngsolve
-    results/reese/ngsolve/bin/pip install ngsolve
+    results/reese/ngsolve/bin/pip install ngsolve mkl
 
 --cells 16 takes minutes; --set goes to Lumbricus, to try solvers."""
 import argparse
@@ -41,8 +42,10 @@ def lumbricus(n, settings):
 
 
 def other(command):
-    """What a script beside this one prints, or None where it cannot run."""
-    process = subprocess.run(command, capture_output=True, text=True)
+    """The report of a script beside this one."""
+    process = subprocess.run(
+        command, capture_output=True, text=True,
+        env={**os.environ, "MKL_NUM_THREADS": str(N_RANKS)})
     if process.returncode != 0:
         raise SystemExit(process.stdout + process.stderr)
     return json.loads(process.stdout.splitlines()[-1])
