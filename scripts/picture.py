@@ -47,8 +47,8 @@ class View:
         return np.stack([x @ self.right, x @ self.up], axis=-1)
 
 
-# A little from above and from the tail. The quarter y < 0, z > 0 faces the
-# viewer and is left out.
+# A little from above and from the tail. Of a round body, the quarter y < 0, z > 0
+# faces the viewer and is left out.
 VIEW = View([0.28, -0.82, 0.5])
 LIGHT = unit([-0.1, -0.6, 0.8])
 
@@ -67,7 +67,8 @@ class Body:
         if shape == "block":
             axes = [s.strip() for s in get("Symmetry").split(",")]
             self.mirrors = [d for d, a in enumerate("xyz") if a in axes]
-        self.round = shape != "block"
+        # The planes through the axis, or of symmetry, along which it is cut open.
+        self.cut = [1, 2] if shape != "block" else self.mirrors[:2]
         if shape == "mesh file":
             volumes, surfaces = read_physical_names(get("File"))
             self.mirrors = [d for d, a in enumerate("xyz")
@@ -101,14 +102,15 @@ def select(fields, cells):
 
 
 def opened_body(pvtu_file, body):
-    """The whole body without its quarter y < 0, z > 0."""
+    """The whole body without the part before both planes of the cut."""
     fields = read_solution(pvtu_file)
     for d in body.mirrors:
         fields = mirrored(fields, d)
-    if not body.round:
+    if len(body.cut) < 2:
         return fields
     middle = fields["points"][:, 1, 1, 1]
-    return select(fields, (middle[:, 1] > 0) | (middle[:, 2] < 0))
+    behind = middle[:, body.cut] * VIEW.normal[body.cut] < 0
+    return select(fields, behind.any(axis=1))
 
 
 # The points of the six faces of a cell, [3, 3] each, with outward normals for a
@@ -157,11 +159,12 @@ def have_no_partner(keys, parts):
 
 
 def planes_of_cut(faces, body):
-    """Which faces lie in y = 0 and which in z = 0, where the body is open."""
+    """Which faces lie in the first and which in the second plane of the cut."""
+    if len(body.cut) < 2:
+        return [np.full(len(faces["points"]), False)] * 2
     tolerance = 1e-6 * np.abs(faces["points"]).max()
-    return [body.round
-            & (np.abs(faces["points"][..., d]).max(axis=(1, 2)) < tolerance)
-            for d in (1, 2)]
+    return [np.abs(faces["points"][..., d]).max(axis=(1, 2)) < tolerance
+            for d in body.cut]
 
 
 def interpolation(n):
@@ -307,7 +310,8 @@ def draw_body(folder, parameters, wanted_times, n_times, columns, with_mesh):
     high[1] += 0.12 * (high - low)[0] * columns / inches
     width, height = high - low
     row_inches = min(inches / columns * height / width, 3.5)
-    bars, title = 0.75, 0.45
+    bars = 0.75 if most > 0 or any(d.liquid.any() for d in drawings) else 0.1
+    title = 0.45
     total = n_rows * row_inches + bars + title
     figure = plt.figure(figsize=(inches, total))
     for number, (drawing, (time, _)) in enumerate(zip(drawings, shown)):

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/named_sections.h>
 #include <lumbricus/core/patterns.h>
 #include <lumbricus/core/registry.h>
+#include <lumbricus/geometry/block_patch.h>
 #include <lumbricus/geometry/geometry.h>
 
 #include <deal.II/base/utilities.h>
@@ -14,23 +16,24 @@ namespace lumbricus
   namespace
   {
     const std::string path = "Geometry/block";
-
-    // The faces in the order of deal.II's colours.
-    const std::array<std::string, 6> face_names = {
-      {"x min", "x max", "y min", "y max", "z min", "z max"}};
   } // namespace
 
 
 
   /**
    * A box [0, Lx] x [0, Ly] x [0, Lz] of one tissue: one segment, for tests of
-   * laws and loads. The faces at x = 0, y = 0, z = 0 can be mirror planes.
+   * laws and loads. The faces at x = 0, y = 0, z = 0 can be mirror planes; the
+   * names of the others are followed by those of the patches cut out of them.
    */
   class Block : public Geometry
   {
   public:
     void
     declare_parameters(dealii::ParameterHandler &prm) override;
+
+    bool
+    extend_parameters(dealii::ParameterHandler &prm,
+                      const Extent              extent) override;
 
     void
     check_parameters() const override;
@@ -89,6 +92,8 @@ namespace lumbricus
     std::string               tissue   = "block";
     bool                      liquid   = false;
     std::string               symmetry = "";
+    std::vector<std::string>  patch_names;
+    NamedSections<BlockPatch> patches;
   };
 
 
@@ -122,6 +127,19 @@ namespace lumbricus
                       "a plane of mirror symmetry, instead of a boundary with "
                       "a name.",
                       dealii::Patterns::MultipleSelection("x|y|z"));
+    prm.add_parameter("Patches",
+                      patch_names,
+                      "Rectangles on faces that are boundaries of their own, "
+                      "names of your own, each with a section of that name "
+                      "here. The name of the face stands for the rest of it.");
+  }
+
+
+
+  bool
+  Block::extend_parameters(dealii::ParameterHandler &prm, const Extent extent)
+  {
+    return patches.extend_parameters(prm, extent, patch_names, "<patch>");
   }
 
 
@@ -132,6 +150,31 @@ namespace lumbricus
     AssertThrow(!tissue.empty(),
                 ExcInput("Parameter '" + path +
                          "/Tissue name' is empty. Give the tissue a name."));
+
+    for (unsigned int i = 0; i < patches.size(); ++i)
+      {
+        const BlockPatch  &patch   = patches[i];
+        const std::string &face    = block_face_names[patch.face()];
+        const std::string  section = path + "/" + patch.name;
+        AssertThrow(std::count(block_face_names.begin(),
+                               block_face_names.end(),
+                               patch.name) == 0,
+                    ExcInput("Parameter '" + path + "/Patches': '" +
+                             patch.name +
+                             "' is the name of a face. Choose another."));
+        AssertThrow(!mirror_face(patch.face()),
+                    ExcInput("Parameter '" + section + "/Face': '" + face +
+                             "' is a plane of symmetry. Choose another face, "
+                             "or take " +
+                             face[0] + " out of '" + path + "/Symmetry'."));
+        patch.check(section, lengths, n_cells);
+        for (unsigned int j = 0; j < i; ++j)
+          AssertThrow(!patch.overlaps(patches[j]),
+                      ExcInput("Parameter '" + path + "/Patches': '" +
+                               patches[j].name + "' and '" + patch.name +
+                               "' overlap on '" + face +
+                               "'. Make them disjoint."));
+      }
   }
 
 
@@ -157,7 +200,8 @@ namespace lumbricus
       true);
 
     // From the number of a face of the block to its boundary id.
-    const unsigned int          n_names = boundary_names().size();
+    const unsigned int          n_names     = boundary_names().size();
+    const unsigned int          first_patch = n_names - patches.size();
     std::array<unsigned int, 6> ids;
     unsigned int                named = 0, plane = n_names;
     for (unsigned int f = 0; f < ids.size(); ++f)
@@ -168,7 +212,13 @@ namespace lumbricus
         cell->set_material_id(Region{0, 0}.material_id());
         for (const unsigned int f : cell->face_indices())
           if (cell->at_boundary(f))
-            cell->face(f)->set_boundary_id(ids[f]);
+            {
+              cell->face(f)->set_boundary_id(ids[f]);
+              for (unsigned int i = 0; i < patches.size(); ++i)
+                if (patches[i].face() == f &&
+                    patches[i].contains(cell->face(f)->center()))
+                  cell->face(f)->set_boundary_id(first_patch + i);
+            }
       }
   }
 
@@ -178,9 +228,11 @@ namespace lumbricus
   Block::boundary_names() const
   {
     std::vector<std::string> names;
-    for (unsigned int f = 0; f < face_names.size(); ++f)
+    for (unsigned int f = 0; f < block_face_names.size(); ++f)
       if (!mirror_face(f))
-        names.push_back(face_names[f]);
+        names.push_back(block_face_names[f]);
+    for (unsigned int i = 0; i < patches.size(); ++i)
+      names.push_back(patches[i].name);
     return names;
   }
 

@@ -84,6 +84,16 @@ MISTAKES = [
       "'Adaptivity/Marking' is 'fraction of error'"]),
     ("estimator that does not exist", CHAIN, ["Adaptivity/Estimator=kelly"],
      ["'Adaptivity/Estimator'", "'displacement jump'", "'stress jump'"]),
+    # Patches of a block.
+    ("patch that cuts a cell", BLOCK,
+     ["Geometry/block/Patches=half", "Geometry/block/half/To=0.5, 1"],
+     ["'Geometry/block/half/To'", "y = 0.5", "not on a mesh line",
+      "Move it to 1", "'Cells'"]),
+    ("patch in a plane of symmetry", BLOCK,
+     ["Geometry/block/Patches=side", "Geometry/block/side/Face=y min",
+      "Geometry/block/side/To=2, 1", "Geometry/block/Symmetry=y"],
+     ["'Geometry/block/side/Face'", "'y min'", "plane of symmetry",
+      "'Geometry/block/Symmetry'"]),
     # Names.
     ("misspelt parameter", BLOCK, ["Time/Ende=1"],
      ["'Time/Ende' is unknown", "Did you mean 'Time/End'?"]),

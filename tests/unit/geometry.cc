@@ -732,3 +732,58 @@ TEST(Block, BoundaryIdsIndexNamesAndSymmetryPlanesFollow)
                   1e-12);
     }
 }
+
+
+
+TEST(Block, PatchesAreCutOutOfTheirFaces)
+{
+  const std::string text = "set Lengths = 2, 3, 5\nset Cells = 4, 3, 5\n";
+  const std::string patches =
+    "set Patches = punch, left, right\n"
+    "subsection punch\nset Face = z max\nset From = 0.5, 1\n"
+    "set To = 1.5, 3\nend\n"
+    "subsection left\nset Face = y min\nset From = 0, 0\nset To = 1, 5\nend\n"
+    "subsection right\nset Face = y min\nset From = 1, 0\nset To = 2, 5\nend\n";
+  const std::map<std::string, double> areas = {{"x max", 15.},
+                                               {"y min", 0.},
+                                               {"y max", 10.},
+                                               {"z min", 6.},
+                                               {"z max", 4.},
+                                               {"punch", 2.},
+                                               {"left", 5.},
+                                               {"right", 5.}};
+
+  const auto geometry =
+    read_plugin<Geometry>("block", text + patches + "set Symmetry = x");
+  const Totals sum   = totals(*geometry, 1);
+  const auto   names = geometry->boundary_names();
+  EXPECT_EQ(names.size(), areas.size());
+  for (unsigned int id = 0; id < names.size(); ++id)
+    EXPECT_NEAR(sum.areas.at(id), areas.at(names[id]), 1e-12) << names[id];
+  EXPECT_NEAR(sum.areas.at(geometry->symmetry_planes()[0].boundary),
+              15.,
+              1e-12);
+
+  const auto expect = [&](const std::string &mistake,
+                          const std::string &part,
+                          const std::string &other_part) {
+    const std::string got = input_error(
+      [&]() { read_plugin<Geometry>("block", text + patches + mistake); });
+    EXPECT_TRUE(contains(got, part) && contains(got, other_part)) << got;
+  };
+  const auto punch = [](const std::string &line) {
+    return "subsection punch\n" + line + "\nend";
+  };
+  const std::string section = "'Geometry/block/punch";
+  expect(punch("set From = 0.6, 1"), section + "/From'", "Move it to 0.5");
+  expect(punch("set To = 1.5, 2.4"), section + "/To'", "y = 2.4");
+  expect(punch("set To = 1.5, 4"), section + "/To'", "ends at 3");
+  expect(punch("set To = 1.5, 1"), section + "/To'", "no width");
+  expect("set Symmetry = y", "'Geometry/block/left/Face'", "Symmetry'");
+  expect("subsection left\nset To = 1.5, 5\nend",
+         "'Geometry/block/Patches'",
+         "'left' and 'right' overlap on 'y min'");
+  expect("set Patches = punch, left, right, x max",
+         "'Geometry/block/Patches'",
+         "'x max' is the name of a face");
+}

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The block that many programs compress: parameters/block_compression."""
+import pytest
+from lumbricus_run import SOURCE, run_well
+
+CASE = SOURCE / "parameters" / "block_compression" / "case.prm"
+# Compression of the middle of the top, read to 0.3 % of the height from the
+# diagram for four quadratic cells along an edge in deal.II's tutorial step-44.
+PUBLISHED = {0.2: 0.219, 0.4: 0.424, 0.6: 0.586, 0.8: 0.697, 1.0: 0.772}
+# The same, last load, computed with FEniCSx and NGSolve: benchmarks/reese.
+OTHER_PROGRAMS = 0.771923416470
+
+
+def run_block(folder, *settings, ranks=1):
+    return run_well(CASE, folder, ["Geometry/block/Cells=4, 4, 4",
+                                   "Output/Every=0", *settings], ranks=ranks)
+
+
+def compression(result):
+    return {row["t"]: -row["uz"] for row in result.table("points.csv")
+            if row["point"] == 1}
+
+
+def test_published(tmp_path):
+    found = compression(run_block(tmp_path, ranks=2))
+    for t, expected in PUBLISHED.items():
+        assert found[t] == pytest.approx(expected, abs=0.003)
+    assert found[1.] == pytest.approx(OTHER_PROGRAMS, rel=1e-9)
+
+
+def test_incompressible(tmp_path):
+    """At nu = 0.5 the volume stays what it is, and nothing else changes much."""
+    result = run_block(tmp_path, "Tissues/rubber/Neo-Hooke/nu=0.5")
+    for row in result.segments():
+        assert row["wall_volume"] == pytest.approx(4., abs=1e-10)
+    assert compression(result)[1.] == pytest.approx(OTHER_PROGRAMS, rel=2e-3)
