@@ -48,9 +48,8 @@ namespace lumbricus
     unknowns.reinit(supports.constraints());
     linearisation.reinit();
     linearisation.symmetric = conditions.symmetric();
-    u                       = unknowns.make_vector();
-    sum                     = unknowns.make_vector();
-    rhs                     = unknowns.make_vector();
+    for (CellVector *x : {&u, &sum, &rhs})
+      unknowns.reinit_vector(*x);
   }
 
 

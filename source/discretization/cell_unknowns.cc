@@ -127,10 +127,10 @@ namespace lumbricus
 
 
 
-  CellVector
-  CellUnknowns::make_vector() const
+  void
+  CellUnknowns::reinit_vector(CellVector &x) const
   {
-    return CellVector(partitioner);
+    x.reinit(partitioner);
   }
 
 

@@ -83,6 +83,13 @@ namespace lumbricus
       {
         row(name, s);
         table << std::setw(8) << calls.at(name) << "\n";
+        if (name == "linear solver")
+          {
+            row("  factorisation", statistics.factor_seconds);
+            table << std::setw(8) << statistics.n_factorisations << "\n";
+            row("  iterations", statistics.solve_seconds);
+            table << std::setw(8) << statistics.n_iterations << "\n";
+          }
       }
     row("total", total);
 
@@ -90,9 +97,7 @@ namespace lumbricus
     dealii::Utilities::System::get_memory_stats(memory);
     const double most = dealii::Utilities::MPI::max(memory.VmHWM / 1024., comm);
     table << "\nPeak memory of the largest rank: " << std::setprecision(0)
-          << most << " MB; " << statistics.n_factorisations
-          << " factorisations, " << statistics.n_iterations
-          << " linear iterations.\n";
+          << most << " MB.\n";
     log << table.str();
   }
 } // namespace lumbricus

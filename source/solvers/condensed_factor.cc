@@ -20,14 +20,17 @@ namespace lumbricus
 
 
 
-  CondensedFactor::CondensedFactor(const Tangent &tangent, const MPI_Comm comm)
+  CondensedFactor::CondensedFactor(const Tangent &tangent,
+                                   const bool     pivoting,
+                                   const MPI_Comm comm)
     : tangent(tangent)
     , numbering(number_shared(tangent.unknowns, comm))
-    , mumps(comm, tangent.symmetric, numbering)
+    , mumps(comm, {tangent.symmetric, pivoting, compression}, numbering)
     , inverses(tangent.unknowns.n_cells())
     , couplings(tangent.unknowns.n_cells())
-    , reduced(tangent.unknowns.make_vector())
-  {}
+  {
+    tangent.unknowns.reinit_vector(reduced);
+  }
 
 
 
@@ -145,9 +148,8 @@ namespace lumbricus
   double
   CondensedFactor::cost() const
   {
-    // A factorisation is arithmetic, a back substitution reads the factors
-    // twice: measured, the same time goes into about 15 operations of the one
-    // and one number of the other.
-    return 5. + mumps.factor_flops() / (15. * 2. * mumps.factor_entries());
+    // A factorisation is arithmetic and some overhead, a back substitution
+    // reads the factors twice. Measured: benchmarks/solvers.
+    return 17. + mumps.factor_flops() / (200. * mumps.factor_entries());
   }
 } // namespace lumbricus

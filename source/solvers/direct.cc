@@ -48,9 +48,10 @@ namespace lumbricus
         {
           const MPI_Comm comm = tangent->space.communicator();
           numbering.reinit(unknowns, true, comm);
-          mumps = std::make_unique<Mumps<double>>(comm,
-                                                  tangent->symmetric,
-                                                  numbering);
+          mumps = std::make_unique<Mumps<double>>(
+            comm,
+            Mumps<double>::Options{tangent->symmetric, true, 0.},
+            numbering);
         }
       mumps->begin();
       std::vector<double>       K;

@@ -33,7 +33,8 @@ namespace lumbricus
 
     // The other ranks' numbers come as ghost entries; doubles hold them
     // exactly.
-    CellVector numbers = unknowns.make_vector();
+    CellVector numbers;
+    unknowns.reinit_vector(numbers);
     for (unsigned int k = 0; k < n_owned; ++k)
       numbers.local_element(owned_places[k]) = first + k;
     numbers.update_ghost_values();

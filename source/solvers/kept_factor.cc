@@ -34,7 +34,8 @@ namespace lumbricus
     void
     reinit(const Tangent &new_tangent) override
     {
-      tangent = &new_tangent;
+      tangent  = &new_tangent;
+      pivoting = false;
       factors.reset();
     }
 
@@ -44,11 +45,15 @@ namespace lumbricus
       const bool fresh = factors == nullptr || age.worn_out(factors->cost());
       if (fresh)
         factor();
-      x              = 0.;
       bool converged = iterate(x, b, tolerance);
       if (!converged && !fresh)
         {
           factor();
+          converged = iterate(x, b, tolerance);
+        }
+      if (!converged && !pivoting)
+        {
+          factor_with_pivoting();
           converged = iterate(x, b, tolerance);
         }
       AssertThrow(converged,
@@ -97,14 +102,34 @@ namespace lumbricus
       if (factors == nullptr)
         factors =
           std::make_unique<CondensedFactor>(*tangent,
+                                            pivoting,
                                             tangent->space.communicator());
-      factors->factor();
       age = Age();
       ++counts.n_factorisations;
+      try
+        {
+          factors->factor();
+        }
+      catch (const ExcNotConverged &)
+        {
+          if (pivoting)
+            throw;
+          factor_with_pivoting();
+          return;
+        }
       counts.factor_seconds += timer.wall_time();
     }
 
-    /** Go on from @p x; @return whether FGMRES converged. */
+    /** From now on, until the mesh or the constraints are new. */
+    void
+    factor_with_pivoting()
+    {
+      pivoting = true;
+      factors.reset();
+      factor();
+    }
+
+    /** @return whether FGMRES converged. */
     bool
     iterate(CellVector &x, const CellVector &b, const double tolerance)
     {
@@ -114,6 +139,7 @@ namespace lumbricus
         control,
         dealii::SolverFGMRES<CellVector>::AdditionalData(most_iterations));
       bool converged = true;
+      x              = 0.;
       try
         {
           solver.solve(*tangent, x, b, *factors);
@@ -130,6 +156,7 @@ namespace lumbricus
 
     unsigned int                     most_iterations = 60;
     const Tangent                   *tangent         = nullptr;
+    bool                             pivoting        = false;
     std::unique_ptr<CondensedFactor> factors;
     Age                              age;
   };

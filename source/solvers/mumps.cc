@@ -79,16 +79,16 @@ namespace lumbricus
 
   template <typename Number>
   Mumps<Number>::Mumps(const MPI_Comm       comm,
-                       const bool           symmetric,
+                       const Options       &options,
                        const FreeNumbering &numbering)
     : comm(comm)
-    , symmetric(symmetric)
+    , symmetric(options.symmetric)
     , numbering(numbering)
     , instance(std::make_unique<Instance>())
   {
     instance->data              = {};
     instance->data.par          = 1; // rank 0 works too
-    instance->data.sym          = symmetric ? 2 : 0;
+    instance->data.sym          = symmetric ? (options.pivoting ? 2 : 1) : 0;
     instance->data.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(comm));
     run(initialise);
 
@@ -99,6 +99,18 @@ namespace lumbricus
     instance->control(7)  = 5;  // ordering by Metis
     instance->control(14) = 40; // percent of memory beyond the estimate
     instance->control(18) = 3;  // the matrix is distributed
+    if (!options.pivoting)
+      {
+        instance->control(13) =
+          1; // no ScaLAPACK: it insists on positive pivots
+        instance->data.cntl[0] = 0.;
+      }
+    if (options.compression > 0.)
+      {
+        instance->control(35)  = 2; // block low rank: factors and solutions
+        instance->control(36)  = 1; // compress before the rest is computed
+        instance->data.cntl[6] = options.compression;
+      }
   }
 
 

@@ -75,7 +75,7 @@ namespace lumbricus
     // No linear system is solved more accurately than the linearisation
     // deserves (Eisenstat and Walker 1996, choice 2), nor than the tolerances
     // ask for.
-    constexpr double most = 1e-2, least = 1e-4, order = 1.6, safety = 0.1;
+    constexpr double most = 1e-2, least = 1e-6, order = 1.6, safety = 1e-3;
     const double     deserved =
       last_merit > 0. ? std::pow(residual.merit() / last_merit, order) : most;
     const double needed =

@@ -61,9 +61,10 @@ namespace lumbricus
     update_inhomogeneities(
       const dealii::AffineConstraints<double> &constraints);
 
-    /** A vector with the ghost entries that the owned cells need. */
-    CellVector
-    make_vector() const;
+    /** Give @p x the ghost entries that the owned cells need. (Assignment keeps
+     * those that a vector has.) */
+    void
+    reinit_vector(CellVector &x) const;
 
     /** Read the entries of owned cell @p i as they are. */
     void

@@ -25,8 +25,15 @@ namespace lumbricus
      * rounding errors of the volume's stiffness drown that of the shape. */
     static constexpr double penalty = 1e3;
 
-    /** For the pattern of @p tangent. */
-    CondensedFactor(const Tangent &tangent, const MPI_Comm comm);
+    /** What of S is neglected, relative to its entries, where blocks of it far
+     * from its diagonal are compressed to low rank. */
+    static constexpr double compression = 1e-3;
+
+    /** For the pattern of @p tangent. Without @p pivoting it is faster, and of
+     * no use where S is singular or close to it on the way. */
+    CondensedFactor(const Tangent &tangent,
+                    const bool     pivoting,
+                    const MPI_Comm comm);
 
     /** Factor what the tangent is now. Throws as Mumps::factor(). Collective.
      */

@@ -22,8 +22,18 @@ namespace lumbricus
   class Mumps
   {
   public:
+    struct Options
+    {
+      bool symmetric;
+      /** Whether rows are exchanged for the sake of accuracy. */
+      bool pivoting;
+      /** Blocks far from the diagonal are compressed to low rank, up to this
+       * error relative to the matrix; 0: not at all. */
+      double compression;
+    };
+
     Mumps(const MPI_Comm       comm,
-          const bool           symmetric,
+          const Options       &options,
           const FreeNumbering &numbering);
     ~Mumps();
 
