@@ -73,16 +73,19 @@ namespace lumbricus
                            const double                      last_merit) const
   {
     // No linear system is solved more accurately than the linearisation
-    // deserves (Eisenstat and Walker 1996, choice 2), nor than the tolerances
-    // ask for.
-    constexpr double most = 1e-2, least = 1e-6, order = 1.6, safety = 1e-3;
+    // deserves (Eisenstat and Walker 1996, choice 2). The last one is, so that
+    // the solution is better than the tolerances ask for: where tissues are
+    // soft a small residual does not make a small error.
+    constexpr double most = 3e-3, order = 1.6;
+    const double     accurate = std::min(most, increment_tolerance);
     const double     deserved =
-      last_merit > 0. ? std::pow(residual.merit() / last_merit, order) : most;
-    const double needed =
-      safety *
-      std::min(force_tolerance / std::max(residual.force, force_tolerance),
-               volume_tolerance / std::max(residual.volume, volume_tolerance));
-    return std::min(most, std::max({least, needed, deserved}));
+      last_merit > 0. ?
+            std::min(most, std::pow(residual.merit() / last_merit, order)) :
+            most;
+    constexpr double perhaps = 1e3;
+    const bool last = deserved * residual.force <= perhaps * force_tolerance &&
+                      deserved * residual.volume <= perhaps * volume_tolerance;
+    return last ? accurate : std::max(accurate, deserved);
   }
 
 
