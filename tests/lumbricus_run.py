@@ -39,7 +39,8 @@ class Run:
         return self.table("steps.csv")[1:]
 
 
-def run(parameter_file, folder, settings=(), ranks=1, options=()):
+def run(parameter_file, folder, settings=(), ranks=1, options=(),
+        timeout=900):
     """Run FILE.prm with "Section/Name=value" settings on some ranks; on one
     without mpirun, which takes longer to start than the program."""
     mpirun = [os.environ.get("MPIRUN", "mpirun"), "-np", str(ranks)]
@@ -49,7 +50,7 @@ def run(parameter_file, folder, settings=(), ranks=1, options=()):
     for setting in settings:
         command += ["--set", setting]
     process = subprocess.run(command, capture_output=True, text=True,
-                             timeout=900)
+                             timeout=timeout)
     return Run(process, folder)
 
 

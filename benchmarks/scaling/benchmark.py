@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How the time grows with the problem and shrinks with the ranks.
+
+Weak scaling: chains of 1, 2, 4, ..., 64 segments as in parameters/peristalsis, on two
+ranks. A method whose costs are proportional to the length of the chain takes the same
+time per segment and step for all of them. The wave is eight segments long, so that
+from eight on every chain has segments in each of its phases.
+
+Strong scaling: parameters/block_compression with 16 cells along an edge, and the chain
+of 64 segments, each on one rank and on two."""
+import argparse
+import pathlib
+import re
+import sys
+
+from lumbricus_run import SOURCE, run_well
+
+CHAIN = SOURCE / "parameters" / "peristalsis" / "case.prm"
+BLOCK = SOURCE / "parameters" / "block_compression" / "case.prm"
+WAVELENGTH = 8
+REFERENCE = 8
+SEGMENTS = (1, 2, 4, 8, 16, 32, 64)
+TIMEOUT = 7200
+PARTS = ("assembly", "residual", "factorisation", "iterations", "total")
+
+
+def without_septa():
+    """The case as a file for a single segment, which has no septum: a section that
+    nothing uses is an error."""
+    text = CHAIN.read_text()
+    for section in ("septum", "septal"):
+        text = re.sub(rf"^  subsection {section}\n.*?^  end\n", "", text,
+                      flags=re.MULTILINE | re.DOTALL)
+    path = pathlib.Path("single_segment.prm")
+    path.write_text(text)
+    return path
+
+
+def chain(n_segments):
+    """File and settings of a chain: some steps of fixed length."""
+    muscles = ["circular", "longitudinal"] + ["septal"] * (n_segments > 1)
+    return (CHAIN if n_segments > 1 else without_septa(),
+            [f"Geometry/segment chain/Number of segments={n_segments}",
+             *(f"Muscles/{muscle}/wave/Wavelength={WAVELENGTH}"
+               for muscle in muscles),
+             "Time/First step=0.05", "Time/Largest step=0.05", "Time/End=0.2"])
+
+
+STRONG = {"block": (BLOCK, ["Geometry/block/Cells=16, 16, 16",
+                            "Newton/Volume tolerance=1e-9"]),
+          "chain": chain(64)}
+
+
+def seconds(log, part):
+    """Of the table at the end of the log; 0 if it has no such row."""
+    row = re.search(rf"^ +{part} +([\d.]+) +\d+%", log, re.MULTILINE)
+    return float(row.group(1)) if row else 0.
+
+
+def measure(name, case, settings, ranks):
+    result = run_well(case, f"{name}-on-{ranks}", ["Output/Every=0"] + settings,
+                      ranks=ranks, timeout=TIMEOUT)
+    steps = result.steps()
+    found = {part: seconds(result.log, part) for part in PARTS}
+    for count in ("newton_iterations", "linear_iterations", "factorisations"):
+        found[count] = int(sum(row[count] for row in steps))
+    found["steps"] = len(steps)
+    found["unknowns"] = int(re.search(r"(\d+) unknowns", result.log).group(1))
+    found["megabytes"] = int(re.search(r"largest rank: (\d+) MB",
+                                       result.log).group(1))
+    print(f"{name} on {ranks}: {found['total']:.1f} s", file=sys.stderr,
+          flush=True)
+    return found
+
+
+def header(*names):
+    print("\n| " + " | ".join(names) + " |\n" + "|---" * len(names) + "|")
+
+
+def weak_scaling(segments):
+    runs = {n: measure(f"chain-{n}", *chain(n), 2) for n in segments}
+    costs = {n: run["total"] / n / run["steps"] for n, run in runs.items()}
+    reference = REFERENCE if REFERENCE in runs else max(runs)
+    header("segments", "unknowns", "time per segment and step (s)",
+           f"relative to {reference} segments",
+           "peak memory of the largest rank, per segment (MB)", "steps",
+           "Newton iterations", "linear iterations", "factorisations",
+           "time of factorisation (s)", "of iterations (s)", "in all (s)")
+    for n, run in runs.items():
+        print(f"| {n} | {run['unknowns']} | {costs[n]:.3f} | "
+              f"{costs[n] / costs[reference]:.2f} | "
+              f"{run['megabytes'] / n:.0f} | {run['steps']} | "
+              f"{run['newton_iterations']} | {run['linear_iterations']} | "
+              f"{run['factorisations']} | {run['factorisation']:.1f} | "
+              f"{run['iterations']:.1f} | {run['total']:.1f} |")
+
+
+def strong_scaling(names):
+    tables = {name: [measure(name, *STRONG[name], ranks) for ranks in (1, 2)]
+              for name in names}
+    header("case", "unknowns", "part", "one rank (s)", "two ranks (s)",
+           "speed-up")
+    for name, (one, two) in tables.items():
+        for part in PARTS:
+            ratio = f"{one[part] / two[part]:.2f}" if two[part] > 0 else ""
+            print(f"| {name} | {one['unknowns']} | {part} | {one[part]:.1f} | "
+                  f"{two[part]:.1f} | {ratio} |")
+    header("case", "ranks", "Newton iterations", "linear iterations",
+           "factorisations", "peak memory of the largest rank (MB)")
+    for name, runs in tables.items():
+        for ranks, run in enumerate(runs, start=1):
+            print(f"| {name} | {ranks} | {run['newton_iterations']} | "
+                  f"{run['linear_iterations']} | {run['factorisations']} | "
+                  f"{run['megabytes']} |")
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--segments", type=int, nargs="+",
+                        help="weak scaling over these chains")
+    parser.add_argument("--strong", nargs="*", choices=tuple(STRONG),
+                        help="strong scaling of these cases, or all of them\n"
+                        "(without both options: weak and strong scaling)")
+    options = parser.parse_args()
+    everything = options.segments is None and options.strong is None
+    if everything or options.segments:
+        weak_scaling(options.segments or SEGMENTS)
+    if everything or options.strong is not None:
+        strong_scaling(options.strong or STRONG)
+
+
+if __name__ == "__main__":
+    main()
