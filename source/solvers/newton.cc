@@ -77,7 +77,7 @@ namespace lumbricus
     // the solution is better than the tolerances ask for: where tissues are
     // soft a small residual does not make a small error.
     constexpr double most = 3e-3, order = 1.6;
-    const double     accurate = std::min(most, increment_tolerance);
+    const double     accurate = std::min(most, 10. * increment_tolerance);
     const double     deserved =
       last_merit > 0. ?
             std::min(most, std::pow(residual.merit() / last_merit, order)) :
