@@ -96,7 +96,8 @@ namespace lumbricus
                                             references,
                                             space,
                                             shapes,
-                                            parameters.anatomy);
+                                            parameters.anatomy,
+                                            timer);
   }
 
 

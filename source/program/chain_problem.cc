@@ -142,7 +142,10 @@ namespace lumbricus
         log_step(log, step, parameters.load_stepping.end_time());
         for (const AdaptationRecord &adaptation : step.adaptations)
           log_adaptation(log, adaptation);
-        results.write(state, step);
+        {
+          dealii::TimerOutput::Scope scope(timer, "output");
+          results.write(state, step);
+        }
         if (parameters.checkpoint_schedule.due(step.number, comm))
           {
             save_or_say(save);

@@ -66,13 +66,14 @@ namespace lumbricus
 
 
   ResetIteration::Report
-  ResetIteration::solve(State            &state,
-                        Equilibrium      &equilibrium,
-                        const Newton     &newton,
-                        ReferenceField   &references,
-                        const MixedSpace &space,
-                        const ShapeCache &shapes,
-                        const Anatomy    &anatomy) const
+  ResetIteration::solve(State               &state,
+                        Equilibrium         &equilibrium,
+                        const Newton        &newton,
+                        ReferenceField      &references,
+                        const MixedSpace    &space,
+                        const ShapeCache    &shapes,
+                        const Anatomy       &anatomy,
+                        dealii::TimerOutput &timer) const
   {
     const unsigned int n_segments = anatomy.geometry().n_segments();
     Report             report;
@@ -82,6 +83,8 @@ namespace lumbricus
       {
         Solve solve;
         solve.newton = newton.solve(equilibrium, state.solution);
+
+        dealii::TimerOutput::Scope scope(timer, "reset");
         solve.segments =
           segment_states(space, shapes, anatomy, references, state.solution);
         solve.measures = section_measures(space, anatomy, state.solution);

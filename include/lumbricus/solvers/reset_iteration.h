@@ -47,13 +47,14 @@ namespace lumbricus
 
     /** Solve for @p state at its time. Throws ExcNotConverged. Collective. */
     Report
-    solve(State            &state,
-          Equilibrium      &equilibrium,
-          const Newton     &newton,
-          ReferenceField   &references,
-          const MixedSpace &space,
-          const ShapeCache &shapes,
-          const Anatomy    &anatomy) const;
+    solve(State               &state,
+          Equilibrium         &equilibrium,
+          const Newton        &newton,
+          ReferenceField      &references,
+          const MixedSpace    &space,
+          const ShapeCache    &shapes,
+          const Anatomy       &anatomy,
+          dealii::TimerOutput &timer) const;
 
   private:
     /** Make the present shape of the liquid stress-free in some segments. */
