@@ -96,7 +96,7 @@ end
       state.time = 0.5;
       model->references.update(state);
       model->equilibrium.set_time(state.time, state.solution);
-      x = random(0.01, 1);
+      x = random(0.003, 1);
       state.solution.add(1., x);
     }
 
@@ -172,7 +172,7 @@ end
   TEST_P(Tangents, IsTheDerivativeOfTheResidual)
   {
     const Vector d    = body.random(1., 2);
-    const double h    = 1e-6;
+    const double h    = 1e-7;
     Vector       plus = body.state.solution, minus = plus;
     plus.add(h, d);
     minus.add(-h, d);
