@@ -29,6 +29,8 @@ TOLERANCE = 1e-6
 def lumbricus(n, settings):
     result = run_well(CASE, f"lumbricus-{n}",
                       [f"Geometry/block/Cells={n}, {n}, {n}",
+                       "Newton/Volume tolerance=1e-9",
+                       "Newton/Predictor order=2",
                        "Output/Every=0"] + settings, ranks=N_RANKS)
     steps = result.steps()
     points = [row["uz"] for row in result.table("points.csv") if row["t"] > 0]

@@ -12,18 +12,24 @@ namespace lumbricus
 {
   namespace
   {
-    // What all increments after the last one add up to, if each is smaller than
-    // the one before by the same factor. Near the solution, where the method
-    // converges quadratically, this is far on the safe side (Deuflhard, Newton
-    // Methods for Nonlinear Problems, section 2.1).
+    // What all increments after the last one add up to, if they go on to shrink
+    // as they did: by the last factor, or, where the factors themselves shrink
+    // (the convergence is superlinear), by a factor that is smaller by as much
+    // again (Deuflhard, Newton Methods for Nonlinear Problems, section 2.1).
     double
     still_to_come(const std::vector<NewtonIteration> &history)
     {
-      const double last = history.back().increment;
-      if (history.size() < 2)
+      const std::size_t n      = history.size();
+      const double      last   = history[n - 1].increment;
+      const auto        factor = [&](const std::size_t i) {
+        return history[i].increment / history[i - 1].increment;
+      };
+      if (n < 2)
         return last;
-      const double factor = last / history[history.size() - 2].increment;
-      return factor < 1. ? last * std::min(1., factor / (1. - factor)) : last;
+      double next = factor(n - 1);
+      if (n > 2)
+        next *= std::min(1., next / factor(n - 2));
+      return next < 1. ? last * std::min(1., next / (1. - next)) : last;
     }
   } // namespace
 
