@@ -2,25 +2,12 @@
 #ifndef lumbricus_benchmarks_kernels_machine_h
 #define lumbricus_benchmarks_kernels_machine_h
 
+#include <lumbricus/discretization/dgemm.h>
+
 #include <algorithm>
 #include <chrono>
 #include <limits>
 #include <vector>
-
-extern "C" void
-dgemm_(const char   *transa,
-       const char   *transb,
-       const int    *m,
-       const int    *n,
-       const int    *k,
-       const double *alpha,
-       const double *a,
-       const int    *lda,
-       const double *b,
-       const int    *ldb,
-       const double *beta,
-       double       *c,
-       const int    *ldc);
 
 // What one core of this machine can do at most, as a measure of what a kernel
 // makes of it.

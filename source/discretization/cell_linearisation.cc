@@ -1,23 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/cell_linearisation.h>
+#include <lumbricus/discretization/dgemm.h>
+#include <lumbricus/discretization/node_sums.h>
 
 #include <algorithm>
-#include <cstring>
-
-extern "C" void
-dgemm_(const char   *transa,
-       const char   *transb,
-       const int    *m,
-       const int    *n,
-       const int    *k,
-       const double *alpha,
-       const double *a,
-       const int    *lda,
-       const double *b,
-       const int    *ldb,
-       const double *beta,
-       double       *c,
-       const int    *ldc);
 
 namespace lumbricus
 {
@@ -71,21 +57,14 @@ namespace lumbricus
     alignas(64) double p[padded_q]            = {};
     for (unsigned int q = 0; q < n_q; ++q)
       {
-        for (unsigned int J = 0; J < dim; ++J)
-          {
-            const double *g     = cell.gradients + (dim * q + J) * padded;
-            double        sum_0 = 0., sum_1 = 0., sum_2 = 0.;
-#pragma omp simd reduction(+ : sum_0, sum_1, sum_2)
-            for (unsigned int n = 0; n < padded; ++n)
-              {
-                sum_0 += u[0][n] * g[n];
-                sum_1 += u[1][n] * g[n];
-                sum_2 += u[2][n] * g[n];
-              }
-            h[J][q]           = sum_0;
-            h[dim + J][q]     = sum_1;
-            h[2 * dim + J][q] = sum_2;
-          }
+        gradient_at_point(cell,
+                          q,
+                          u,
+                          [&](const unsigned int i,
+                              const unsigned int J,
+                              const double       value) {
+                            h[dim * i + J][q] = value;
+                          });
         for (unsigned int m = 0; m < n_modes; ++m)
           p[q] +=
             pressure_modes[n_modes * q + m] * x[CellUnknowns::pressure(m)];

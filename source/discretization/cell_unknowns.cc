@@ -209,14 +209,14 @@ namespace lumbricus
 
 
 
-  const std::vector<unsigned int> &
-  CellUnknowns::free_unknowns(const unsigned int         i,
-                              std::vector<unsigned int> &own) const
+  dealii::ArrayView<const unsigned int>
+  CellUnknowns::free_unknowns(const unsigned int i) const
   {
-    if (of_constrained_cell[i] >= 0)
-      return constrained_cells[of_constrained_cell[i]].free_unknowns;
-    own.assign(places(i), places(i) + n_per_cell);
-    return own;
+    if (of_constrained_cell[i] < 0)
+      return {places(i), n_per_cell};
+    const auto &hung_on =
+      constrained_cells[of_constrained_cell[i]].free_unknowns;
+    return {hung_on.data(), hung_on.size()};
   }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/element_kernel.h>
+#include <lumbricus/discretization/node_sums.h>
 
 #include <algorithm>
 #include <cstring>
@@ -53,22 +54,14 @@ namespace lumbricus
     double min_J = std::numeric_limits<double>::max();
     for (unsigned int q = 0; q < n_q; ++q)
       {
-        for (unsigned int J = 0; J < dim; ++J)
-          {
-            const double *g     = cell.gradients + (dim * q + J) * padded;
-            double        sum_0 = 0., sum_1 = 0., sum_2 = 0.;
-#pragma omp simd reduction(+ : sum_0, sum_1, sum_2)
-            for (unsigned int n = 0; n < padded; ++n)
-              {
-                sum_0 += u[0][n] * g[n];
-                sum_1 += u[1][n] * g[n];
-                sum_2 += u[2][n] * g[n];
-              }
-            F[q][0][J] = sum_0;
-            F[q][1][J] = sum_1;
-            F[q][2][J] = sum_2;
-            F[q][J][J] += 1.;
-          }
+        gradient_at_point(cell,
+                          q,
+                          u,
+                          [&](const unsigned int i,
+                              const unsigned int J,
+                              const double       value) {
+                            F[q][i][J] = value + (i == J ? 1. : 0.);
+                          });
         min_J = std::min(min_J, dealii::determinant(F[q]));
       }
     return min_J;

@@ -68,7 +68,7 @@ namespace lumbricus
     if (checkpoint != nullptr)
       go_on_from(*checkpoint, state, step, results);
     model.references.update(state);
-    parameters.predictor.accept(state);
+    parameters.predictor.restart(state);
     if (checkpoint == nullptr)
       results.write(state, step);
 
@@ -151,8 +151,7 @@ namespace lumbricus
             save_or_say(save);
             // So that a run that goes on from here does the same.
             model.equilibrium.forget_factors();
-            parameters.predictor.forget();
-            parameters.predictor.accept(state);
+            parameters.predictor.restart(state);
           }
       }
   }
@@ -246,8 +245,7 @@ namespace lumbricus
           // Without the predictor before a shorter step.
           if (parameters.predictor.ready())
             {
-              parameters.predictor.forget();
-              parameters.predictor.accept(state);
+              parameters.predictor.restart(state);
               continue;
             }
           stepping.cut(state.time, plain_message(exception));
@@ -271,8 +269,7 @@ namespace lumbricus
           break;
       }
     results.reinit();
-    parameters.predictor.forget();
-    parameters.predictor.accept(state);
+    parameters.predictor.restart(state);
   }
 
 

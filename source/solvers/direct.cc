@@ -64,13 +64,12 @@ namespace lumbricus
             numbering);
         }
       mumps->begin();
-      std::vector<double>       K;
-      std::vector<unsigned int> own;
+      std::vector<double> K;
       for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
         {
           tangent->cell_matrix(i, K);
           unknowns.apply_constraints(i, K);
-          const auto &places = unknowns.free_unknowns(i, own);
+          const auto places = unknowns.free_unknowns(i);
           mumps->add(places.data(), places.size(), K.data());
         }
       mumps->factor();

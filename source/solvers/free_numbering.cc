@@ -12,11 +12,10 @@ namespace lumbricus
   {
     std::vector<bool> numbered = unknowns.is_constrained();
     numbered.flip();
-    std::vector<unsigned int> own;
     if (!with_private)
       for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
         {
-          const auto &of_cell = unknowns.free_unknowns(i, own);
+          const auto of_cell = unknowns.free_unknowns(i);
           for (unsigned int k = 0; k < CellUnknowns::n_private; ++k)
             numbered[of_cell[k]] = false;
         }

@@ -31,9 +31,10 @@ namespace lumbricus
 
 
   void
-  Predictor::forget()
+  Predictor::restart(const State &state)
   {
     history.clear();
+    accept(state);
   }
 
 

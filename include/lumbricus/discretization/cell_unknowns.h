@@ -4,6 +4,7 @@
 
 #include <lumbricus/discretization/mixed_space.h>
 
+#include <deal.II/base/array_view.h>
 #include <deal.II/base/partitioner.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
@@ -84,8 +85,8 @@ namespace lumbricus
 
     /** The free unknowns that owned cell @p i hangs on, as places in a vector;
      * its private unknowns come first. */
-    const std::vector<unsigned int> &
-    free_unknowns(const unsigned int i, std::vector<unsigned int> &own) const;
+    dealii::ArrayView<const unsigned int>
+    free_unknowns(const unsigned int i) const;
 
     /** Replace a square matrix in the unknowns of the cell, by rows, by
      * C^T matrix C in its free unknowns. */

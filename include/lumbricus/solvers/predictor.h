@@ -26,9 +26,10 @@ namespace lumbricus
     void
     accept(const State &state);
 
-    /** Forget all: the mesh is new, or the run starts anew from here. */
+    /** Forget all before @p state: the mesh is new, or the run starts from
+     * here. */
     void
-    forget();
+    restart(const State &state);
 
     /** Whether there is anything to extrapolate from. */
     bool
