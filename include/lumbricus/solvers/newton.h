@@ -102,7 +102,7 @@ namespace lumbricus
 
     double       force_tolerance     = 1e-9;
     double       volume_tolerance    = 1e-11;
-    double       increment_tolerance = 1e-9;
+    double       increment_tolerance = 1e-10;
     unsigned int most_iterations     = 20;
     unsigned int most_halvings       = 6;
     double       growth_allowed      = 10.;
