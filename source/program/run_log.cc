@@ -91,8 +91,11 @@ namespace lumbricus
     const double most = dealii::Utilities::MPI::max(memory.VmHWM / 1024., comm);
     table << "\nPeak memory of the largest rank: " << std::setprecision(0)
           << most << " MB; " << statistics.n_factorisations
-          << " factorisations, " << statistics.n_iterations
-          << " linear iterations.\n";
+          << " factorisations in " << std::setprecision(2)
+          << statistics.factor_seconds << " s, " << statistics.n_iterations
+          << " linear iterations in " << statistics.solve_seconds << " s, "
+          << statistics.n_solves << " solves with at most "
+          << statistics.most_iterations << ".\n";
     log << table.str();
   }
 } // namespace lumbricus

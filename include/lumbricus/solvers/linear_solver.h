@@ -14,6 +14,7 @@ namespace lumbricus
   {
     unsigned int n_solves         = 0;
     unsigned int n_iterations     = 0;
+    unsigned int most_iterations  = 0; // of one solve
     unsigned int n_factorisations = 0;
     double       factor_seconds   = 0.;
     double       solve_seconds    = 0.;

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/multigrid/vanka.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumbricus
+{
+  namespace
+  {
+    // Where displacements of a cell are held, or owned by another rank, fewer
+    // may be left than there are pressures. So let the pressures, which are
+    // those without stiffness, yield a little: A_pp -= eps sum_k A_pk^2/A_kk.
+    void
+    relax_pressures(dealii::LAPACKFullMatrix<double> &A)
+    {
+      constexpr double   eps = 1e-3;
+      const unsigned int n   = A.m();
+      for (unsigned int p = 0; p < n; ++p)
+        {
+          if (A(p, p) > 0.)
+            continue;
+          double sum = 0.;
+          for (unsigned int k = 0; k < n; ++k)
+            if (A(k, k) > 0.)
+              sum += A(p, k) * A(p, k) / A(k, k);
+          A(p, p) -= eps * sum;
+        }
+    }
+  } // namespace
+
+
+
+  void
+  Vanka::reinit(const LevelMatrix &new_matrix,
+                const unsigned int n_cells,
+                const Options     &new_options)
+  {
+    matrix  = &new_matrix;
+    options = new_options;
+    patches.assign(n_cells, {});
+    for (unsigned int i = 0; i < n_cells; ++i)
+      patches[i].places = matrix->owned_unknowns(i);
+    weight.assign(matrix->n_owned(), 0.);
+    for (const Patch &patch : patches)
+      for (const unsigned int place : patch.places)
+        weight[place] += 1.;
+    for (double &w : weight)
+      w = w > 0. ? 1. / w : 0.;
+  }
+
+
+
+  void
+  Vanka::invert()
+  {
+    std::vector<int>                 position(matrix->n_places(), -1);
+    dealii::LAPACKFullMatrix<double> A;
+    for (Patch &patch : patches)
+      {
+        const unsigned int n = patch.places.size();
+        A.reinit(n);
+        for (unsigned int k = 0; k < n; ++k)
+          position[patch.places[k]] = k;
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            const auto row = matrix->row(patch.places[k]);
+            for (unsigned int e = 0; e < row.size; ++e)
+              if (position[row.columns[e]] >= 0)
+                A(k, position[row.columns[e]]) = row.values[e];
+          }
+        for (const unsigned int place : patch.places)
+          position[place] = -1;
+        if (n < CellUnknowns::n_per_cell)
+          relax_pressures(A);
+        A.invert();
+        patch.inverse.resize(n * n);
+        for (unsigned int r = 0; r < n; ++r)
+          for (unsigned int s = 0; s < n; ++s)
+            patch.inverse[r * n + s] = static_cast<float>(A(r, s));
+      }
+  }
+
+
+
+  void
+  Vanka::add_correction(const Patch &patch, const double *r, double *x) const
+  {
+    const unsigned int n = patch.places.size();
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const float *const row = patch.inverse.data() + std::size_t(k) * n;
+        double             sum = 0.;
+#pragma omp simd reduction(+ : sum)
+        for (unsigned int s = 0; s < n; ++s)
+          sum += row[s] * r[s];
+        const unsigned int place = patch.places[k];
+        x[place] += options.damping *
+                    (options.multiplicative ? 1. : weight[place]) * sum;
+      }
+  }
+
+
+
+  void
+  Vanka::sweep(CellVector   &x,
+               const double *b,
+               const bool    backward,
+               const bool    x_is_zero) const
+  {
+    if (!x_is_zero)
+      x.update_ghost_values();
+    double *const       entries = x.begin();
+    std::vector<double> r;
+    if (!options.multiplicative)
+      {
+        residual.resize(matrix->n_owned());
+        matrix->residual(x, b, residual.data());
+      }
+    for (unsigned int i = 0; i < patches.size(); ++i)
+      {
+        const Patch &patch = patches[backward ? patches.size() - 1 - i : i];
+        r.resize(patch.places.size());
+        for (unsigned int k = 0; k < r.size(); ++k)
+          {
+            const unsigned int place = patch.places[k];
+            if (!options.multiplicative)
+              {
+                r[k] = residual[place];
+                continue;
+              }
+            const auto row = matrix->row(place);
+            double     sum = b[place];
+#pragma omp simd reduction(- : sum)
+            for (unsigned int e = 0; e < row.size; ++e)
+              sum -= row.values[e] * entries[row.columns[e]];
+            r[k] = sum;
+          }
+        add_correction(patch, r.data(), entries);
+      }
+    x.zero_out_ghost_values();
+  }
+
+
+
+  std::size_t
+  Vanka::memory() const
+  {
+    std::size_t bytes = 0;
+    for (const Patch &patch : patches)
+      bytes += patch.inverse.size() * sizeof(float);
+    return bytes;
+  }
+} // namespace lumbricus
