@@ -26,6 +26,7 @@ namespace lumbricus
     {
       std::vector<CellKey>      keys;  // by level, the last is its own
       std::vector<unsigned int> child; // which child of keys[l] keys[l+1] is
+      std::array<double, dim>   extent; // of the cell of the unrefined mesh
 
       unsigned int
       level() const
@@ -57,6 +58,14 @@ namespace lumbricus
                 ++c;
               line.child.push_back(c);
               line.keys.push_back(cell_key(parent));
+            }
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              line.extent[d] = 0.;
+              for (const unsigned int v : cell->vertex_indices())
+                if (((v >> d) & 1) == 0)
+                  line.extent[d] +=
+                    cell->vertex(v).distance(cell->vertex(v | (1u << d)));
             }
           std::reverse(line.keys.begin(), line.keys.end());
           std::reverse(line.child.begin(), line.child.end());
@@ -115,6 +124,41 @@ namespace lumbricus
           node = (MixedSpace::degree + 1) * node + x / half;
         }
       return hierarchic[node];
+    }
+
+
+
+    // What cells of a patch have in common: the cell of the unrefined mesh, their
+    // level, and where they are in it.
+    using PatchKey = std::pair<CellKey, std::array<unsigned int, dim + 1>>;
+
+    PatchKey
+    patch_key(const ActiveCell  &cell,
+              const unsigned int level,
+              const double       thin)
+    {
+      // Patches have at most so many cells in a thin direction.
+      constexpr unsigned int log_one_direction = 3, log_two_directions = 2;
+
+      const double largest =
+        *std::max_element(cell.extent.begin(), cell.extent.end());
+      std::array<bool, dim> is_thin;
+      unsigned int          n_thin = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        n_thin += is_thin[d] = thin * cell.extent[d] < largest;
+
+      PatchKey key{cell.keys[0], {}};
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          unsigned int x = 0;
+          for (unsigned int l = 0; l < level; ++l)
+            x = 2 * x + ((cell.child[l] >> d) & 1);
+          key.second[d] = !is_thin[d] ? x :
+                          x >> (n_thin == 1 ? log_one_direction :
+                                              log_two_directions);
+        }
+      key.second[dim] = level;
+      return key;
     }
 
 
@@ -403,7 +447,8 @@ namespace lumbricus
   void
   Hierarchy::reinit(const MixedSpace   &space,
                     const CellUnknowns &unknowns,
-                    const unsigned int  n_coarsest)
+                    const unsigned int  n_coarsest,
+                    const double        thin)
   {
     const MPI_Comm comm  = space.communicator();
     const auto     cells = active_cells(space);
@@ -428,7 +473,8 @@ namespace lumbricus
         fine.parent.assign(fine.n_owned_cells,
                            dealii::numbers::invalid_unsigned_int);
         fine.child.assign(fine.n_owned_cells, -1);
-        std::map<CellKey, unsigned int> done;
+        std::map<CellKey, unsigned int>  done;
+        std::map<PatchKey, unsigned int> patch_with;
         for (unsigned int i = 0, next = 0; i < cells.size(); ++i)
           {
             const ActiveCell  &cell   = cells[i];
@@ -444,6 +490,10 @@ namespace lumbricus
             fine.parent[next] = coarse_of.at(cell.keys[there]);
             if (here != there)
               fine.child[next] = cell.child[there];
+            const auto patch =
+              patch_with.emplace(patch_key(cell, here, thin), patch_with.size());
+            fine.patches.resize(patch_with.size());
+            fine.patches[patch.first->second].push_back(next);
             ++next;
           }
         levels.push_back(std::move(coarse));

@@ -36,6 +36,12 @@ namespace lumbricus
                       damping,
                       "[-] Which part of a cell's correction is taken.",
                       dealii::Patterns::Double(0., 2.));
+    prm.add_parameter("Thin",
+                      thin,
+                      "[-] Where cells of the unrefined mesh are longer than "
+                      "thick by more than this, the smoother takes those above "
+                      "each other together.",
+                      dealii::Patterns::Double(1.));
     prm.add_parameter("Vanka",
                       vanka,
                       "Whether a cell sees the corrections of the cells before "
@@ -51,7 +57,7 @@ namespace lumbricus
     , parameters(parameters)
     , comm(tangent.space.communicator())
   {
-    hierarchy.reinit(tangent.space, tangent.unknowns, parameters.n_coarsest);
+    hierarchy.reinit(tangent.space, tangent.unknowns, parameters.n_coarsest, parameters.thin);
     const unsigned int n_levels = hierarchy.n_levels();
     smoothed.resize(n_levels);
     for (unsigned int l = 1; l < n_levels; ++l)
@@ -61,7 +67,7 @@ namespace lumbricus
         Smoothed &on       = *smoothed[l];
         on.matrix.reinit(*level.unknowns, level.n_owned_cells, comm);
         on.smoother.reinit(on.matrix,
-                           level.n_owned_cells,
+                           level.patches,
                            {parameters.vanka == "multiplicative",
                             parameters.damping});
         on.x      = on.matrix.make_vector();

@@ -34,15 +34,24 @@ namespace lumbricus
 
 
   void
-  Vanka::reinit(const LevelMatrix &new_matrix,
-                const unsigned int n_cells,
-                const Options     &new_options)
+  Vanka::reinit(const LevelMatrix                            &new_matrix,
+                const std::vector<std::vector<unsigned int>> &cells_of_patches,
+                const Options                                &new_options)
   {
     matrix  = &new_matrix;
     options = new_options;
-    patches.assign(n_cells, {});
-    for (unsigned int i = 0; i < n_cells; ++i)
-      patches[i].places = matrix->owned_unknowns(i);
+    patches.assign(cells_of_patches.size(), {});
+    for (unsigned int i = 0; i < patches.size(); ++i)
+      {
+        auto &places = patches[i].places;
+        for (const unsigned int cell : cells_of_patches[i])
+          {
+            const auto &of_cell = matrix->owned_unknowns(cell);
+            places.insert(places.end(), of_cell.begin(), of_cell.end());
+          }
+        std::sort(places.begin(), places.end());
+        places.erase(std::unique(places.begin(), places.end()), places.end());
+      }
     weight.assign(matrix->n_owned(), 0.);
     for (const Patch &patch : patches)
       for (const unsigned int place : patch.places)

@@ -32,6 +32,10 @@ namespace lumbricus
     std::vector<unsigned int> parent;
     std::vector<int>          child;
 
+    /** The owned cells in patches for the smoother: stacks through what is
+     * thin, see Hierarchy::reinit(). */
+    std::vector<std::vector<unsigned int>> patches;
+
     /** Of each owned unknown the place on the finest mesh; invalid for a
      * pressure, which is not among those. Empty for the finest mesh itself. */
     std::vector<unsigned int> on_finest;
@@ -59,12 +63,15 @@ namespace lumbricus
     /**
      * Make the levels of the mesh of @p space, with @p unknowns on the finest.
      * The coarsest is the finest of those with at most @p n_coarsest unknowns,
-     * or the mesh without refinement. Collective.
+     * or the mesh without refinement. Where a cell of the unrefined mesh is
+     * thin, that is longer by more than @p thin in another direction, its
+     * descendants that lie above each other make one patch. Collective.
      */
     void
     reinit(const MixedSpace   &space,
            const CellUnknowns &unknowns,
-           const unsigned int  n_coarsest);
+           const unsigned int  n_coarsest,
+           const double        thin = 3.);
 
     unsigned int
     n_levels() const

@@ -24,7 +24,8 @@ namespace lumbricus
     unsigned int n_coarsest     = 10000;
     unsigned int n_sweeps       = 2;
     unsigned int n_coarse_cycles = 1;
-    double       damping        = 1.;
+    double       damping        = 0.7;
+    double       thin           = 3.;
     std::string  vanka          = "multiplicative";
   };
 

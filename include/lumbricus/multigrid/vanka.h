@@ -28,11 +28,11 @@ namespace lumbricus
       double damping        = 1.;
     };
 
-    /** For the pattern of @p matrix and its first @p n_cells cells. */
+    /** For the pattern of @p matrix, with patches of these of its cells. */
     void
-    reinit(const LevelMatrix &matrix,
-           const unsigned int n_cells,
-           const Options     &options);
+    reinit(const LevelMatrix                            &matrix,
+           const std::vector<std::vector<unsigned int>> &cells_of_patches,
+           const Options                                &options);
 
     /** Invert the A_kk of what the matrix is now. */
     void
