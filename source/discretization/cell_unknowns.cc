@@ -44,8 +44,8 @@ namespace lumbricus
 
 
   void
-  CellUnknowns::reinit(const dealii::IndexSet   &owned,
-                       const std::vector<Index> &of_cells,
+  CellUnknowns::reinit(const dealii::IndexSet                  &owned,
+                       const std::vector<Index>                &of_cells,
                        const dealii::AffineConstraints<double> &constraints)
   {
     std::vector<Index> needed;

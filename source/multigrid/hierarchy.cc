@@ -18,14 +18,14 @@ namespace lumbricus
 {
   namespace
   {
-    using Index = dealii::types::global_dof_index;
+    using Index                       = dealii::types::global_dof_index;
     constexpr unsigned int n_per_cell = CellUnknowns::n_per_cell;
 
     // An owned active cell with its line of ancestors.
     struct ActiveCell
     {
-      std::vector<CellKey>      keys;  // by level, the last is its own
-      std::vector<unsigned int> child; // which child of keys[l] keys[l+1] is
+      std::vector<CellKey>      keys;   // by level, the last is its own
+      std::vector<unsigned int> child;  // which child of keys[l] keys[l+1] is
       std::array<double, dim>   extent; // of the cell of the unrefined mesh
 
       unsigned int
@@ -128,8 +128,8 @@ namespace lumbricus
 
 
 
-    // What cells of a patch have in common: the cell of the unrefined mesh, their
-    // level, and where they are in it.
+    // What cells of a patch have in common: the cell of the unrefined mesh,
+    // their level, and where they are in it.
     using PatchKey = std::pair<CellKey, std::array<unsigned int, dim + 1>>;
 
     PatchKey
@@ -154,8 +154,8 @@ namespace lumbricus
           for (unsigned int l = 0; l < level; ++l)
             x = 2 * x + ((cell.child[l] >> d) & 1);
           key.second[d] = !is_thin[d] ? x :
-                          x >> (n_thin == 1 ? log_one_direction :
-                                              log_two_directions);
+                                        x >> (n_thin == 1 ? log_one_direction :
+                                                            log_two_directions);
         }
       key.second[dim] = level;
       return key;
@@ -228,7 +228,8 @@ namespace lumbricus
       // cell) for the displacements that active cell i knows.
       template <typename Function>
       void
-      for_each_displacement(const unsigned int i, const Function &function) const
+      for_each_displacement(const unsigned int i,
+                            const Function    &function) const
       {
         constexpr unsigned int n_vertices =
           dealii::GeometryInfo<dim>::vertices_per_cell;
@@ -292,9 +293,10 @@ namespace lumbricus
       number()
       {
         for (unsigned int i = 0; i < cells.size(); ++i)
-          for_each_displacement(i, [&](const unsigned int, const unsigned int k) {
-            numbers.local_element(fine.places(i)[k]) = 1.;
-          });
+          for_each_displacement(i,
+                                [&](const unsigned int, const unsigned int k) {
+                                  numbers.local_element(fine.places(i)[k]) = 1.;
+                                });
         numbers.compress(dealii::VectorOperation::add);
         const unsigned int n_fine =
           numbers.get_partitioner()->locally_owned_size();
@@ -302,11 +304,12 @@ namespace lumbricus
         for (unsigned int k = 0; k < n_fine; ++k)
           if (numbers.local_element(k) > 0.)
             level.on_finest.push_back(k);
-        n_owned = level.on_finest.size();
+        n_owned                     = level.on_finest.size();
         const Index n_displacements = n_owned;
         n_owned += MixedSpace::n_pressure_modes * level.n_owned_cells;
         level.on_finest.resize(n_owned, dealii::numbers::invalid_unsigned_int);
-        MPI_Exscan(&n_owned, &first, 1, DEAL_II_DOF_INDEX_MPI_TYPE, MPI_SUM, comm);
+        MPI_Exscan(
+          &n_owned, &first, 1, DEAL_II_DOF_INDEX_MPI_TYPE, MPI_SUM, comm);
         n_unknowns = dealii::Utilities::MPI::sum(n_owned, comm);
 
         Index next = first;
@@ -403,10 +406,10 @@ namespace lumbricus
              dealii::Utilities::MPI::some_to_some(comm, send))
           for (auto at = message.begin(); at != message.end();)
             {
-              const auto  i         = static_cast<unsigned int>(*at++);
-              const auto  k         = static_cast<unsigned int>(*at++);
-              const auto  index     = static_cast<Index>(*at++);
-              const int   n_entries = static_cast<int>(*at++);
+              const auto i             = static_cast<unsigned int>(*at++);
+              const auto k             = static_cast<unsigned int>(*at++);
+              const auto index         = static_cast<Index>(*at++);
+              const int  n_entries     = static_cast<int>(*at++);
               indices(cell_with[i])[k] = index;
               if (n_entries < 0)
                 continue;
@@ -467,8 +470,8 @@ namespace lumbricus
          --l)
       {
         std::map<CellKey, unsigned int> coarse_of;
-        Level coarse = LevelMaker(space, unknowns, cells, ranks, l - 1)
-                         .make(coarse_of);
+        Level                           coarse =
+          LevelMaker(space, unknowns, cells, ranks, l - 1).make(coarse_of);
         Level &fine = levels.back();
         fine.parent.assign(fine.n_owned_cells,
                            dealii::numbers::invalid_unsigned_int);
@@ -477,12 +480,12 @@ namespace lumbricus
         std::map<PatchKey, unsigned int> patch_with;
         for (unsigned int i = 0, next = 0; i < cells.size(); ++i)
           {
-            const ActiveCell  &cell   = cells[i];
-            const unsigned int here   = std::min(l, cell.level());
-            const unsigned int there  = std::min(l - 1, cell.level());
-            const CellKey     &key    = cell.keys[here];
-            const auto         split  = ranks.find(key);
-            const bool         mine   = split == ranks.end() ||
+            const ActiveCell  &cell  = cells[i];
+            const unsigned int here  = std::min(l, cell.level());
+            const unsigned int there = std::min(l - 1, cell.level());
+            const CellKey     &key   = cell.keys[here];
+            const auto         split = ranks.find(key);
+            const bool         mine  = split == ranks.end() ||
                               split->second.front() ==
                                 dealii::Utilities::MPI::this_mpi_process(comm);
             if (!mine || !done.emplace(key, next).second)
@@ -490,8 +493,8 @@ namespace lumbricus
             fine.parent[next] = coarse_of.at(cell.keys[there]);
             if (here != there)
               fine.child[next] = cell.child[there];
-            const auto patch =
-              patch_with.emplace(patch_key(cell, here, thin), patch_with.size());
+            const auto patch = patch_with.emplace(patch_key(cell, here, thin),
+                                                  patch_with.size());
             fine.patches.resize(patch_with.size());
             fine.patches[patch.first->second].push_back(next);
             ++next;

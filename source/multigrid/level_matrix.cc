@@ -12,7 +12,14 @@ namespace lumbricus
   namespace
   {
     using Index = dealii::types::global_dof_index;
-  }
+
+    void
+    sort_uniquely(std::vector<Index> &list)
+    {
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+  } // namespace
 
 
 
@@ -21,16 +28,16 @@ namespace lumbricus
                       const unsigned int  n_cells,
                       const MPI_Comm      communicator)
   {
-    comm          = communicator;
-    n_owned_cells = n_cells;
+    comm                   = communicator;
+    n_owned_cells          = n_cells;
     const auto partitioner = unknowns.make_vector().get_partitioner();
     const auto firsts =
       dealii::Utilities::MPI::all_gather(comm,
                                          partitioner->local_range().first);
     const auto owner = [&](const Index index) {
       return static_cast<unsigned int>(
-        std::upper_bound(firsts.begin(), firsts.end(), index) -
-        firsts.begin() - 1);
+        std::upper_bound(firsts.begin(), firsts.end(), index) - firsts.begin() -
+        1);
     };
 
     // Cells with rows that other ranks own go to these too.
@@ -70,23 +77,45 @@ namespace lumbricus
         received.emplace_back(rank, n);
       }
 
-    std::vector<Index> needed;
-    for (const auto &cell : cells)
-      for (const Index index : cell)
+    // The owned rows, in global numbers; then copies of those that are not
+    // owned but unknowns of owned cells.
+    const unsigned int n_rows = partitioner->locally_owned_size();
+    const Index        first  = partitioner->local_range().first;
+    std::vector<std::vector<unsigned int>> cells_of_row(n_rows);
+    std::vector<Index>                     wanted;
+    for (unsigned int i = 0; i < cells.size(); ++i)
+      for (const Index index : cells[i])
+        if (partitioner->in_local_range(index))
+          cells_of_row[index - first].push_back(i);
+        else if (i < n_cells)
+          wanted.push_back(index);
+    sort_uniquely(wanted);
+    std::vector<std::vector<Index>> rows(n_rows);
+    std::vector<Index>              needed;
+    for (unsigned int r = 0; r < n_rows; ++r)
+      {
+        for (const unsigned int i : cells_of_row[r])
+          rows[r].insert(rows[r].end(), cells[i].begin(), cells[i].end());
+        sort_uniquely(rows[r]);
+      }
+    exchange_rows(wanted, firsts, first, rows);
+    for (const auto &row : rows)
+      for (const Index index : row)
         if (!partitioner->in_local_range(index))
           needed.push_back(index);
-    std::sort(needed.begin(), needed.end());
-    needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+    sort_uniquely(needed);
     dealii::IndexSet ghosts(partitioner->size());
     ghosts.add_indices(needed.begin(), needed.end());
     columns = std::make_shared<dealii::Utilities::MPI::Partitioner>(
       partitioner->locally_owned_range(), ghosts, comm);
 
-    const unsigned int n_rows = columns->locally_owned_size();
+    copy_at.assign(columns->n_ghost_indices(),
+                   dealii::numbers::invalid_unsigned_int);
+    for (unsigned int k = 0; k < wanted.size(); ++k)
+      copy_at[columns->global_to_local(wanted[k]) - n_rows] = n_rows + k;
+
     of_cell.assign(cells.size(), {});
     sorted.assign(cells.size(), {});
-    owned_of_cell.assign(n_cells, {});
-    std::vector<std::vector<unsigned int>> cells_of_row(n_rows);
     for (unsigned int i = 0; i < cells.size(); ++i)
       {
         for (const Index index : cells[i])
@@ -96,32 +125,65 @@ namespace lumbricus
         std::sort(sorted[i].begin(),
                   sorted[i].end(),
                   [&](const unsigned int a, const unsigned int b) {
-                    return of_cell[i][a] < of_cell[i][b];
+                    return cells[i][a] < cells[i][b];
                   });
-        for (const unsigned int place : of_cell[i])
-          if (place < n_rows)
-            {
-              cells_of_row[place].push_back(i);
-              if (i < n_cells)
-                owned_of_cell[i].push_back(place);
-            }
       }
 
+    // Columns are kept in the order of the global numbers.
     row_begin.assign(1, 0);
     column.clear();
-    std::vector<unsigned int> merged;
-    for (unsigned int r = 0; r < n_rows; ++r)
+    for (const auto &row : rows)
       {
-        merged.clear();
-        for (const unsigned int i : cells_of_row[r])
-          merged.insert(merged.end(), of_cell[i].begin(), of_cell[i].end());
-        std::sort(merged.begin(), merged.end());
-        merged.erase(std::unique(merged.begin(), merged.end()), merged.end());
-        column.insert(column.end(), merged.begin(), merged.end());
+        for (const Index index : row)
+          column.push_back(columns->global_to_local(index));
         row_begin.push_back(column.size());
       }
     column.shrink_to_fit();
     values.resize(column.size());
+  }
+
+
+
+  void
+  LevelMatrix::exchange_rows(const std::vector<Index>        &wanted,
+                             const std::vector<Index>        &firsts,
+                             const Index                      first,
+                             std::vector<std::vector<Index>> &rows)
+  {
+    // The owner of a row is found by where the ranks' stretches begin; of
+    // stretches that begin at the same place all but the last are empty.
+    std::map<unsigned int, std::vector<Index>> requests, replies;
+    first_copy_from.clear();
+    rows_for.clear();
+    for (unsigned int k = 0; k < wanted.size(); ++k)
+      {
+        const unsigned int rank =
+          std::upper_bound(firsts.begin(), firsts.end(), wanted[k]) -
+          firsts.begin() - 1;
+        first_copy_from.emplace(rank, rows.size() + k);
+        requests[rank].push_back(wanted[k]);
+      }
+    for (const auto &[rank, indices] :
+         dealii::Utilities::MPI::some_to_some(comm, requests))
+      for (const Index index : indices)
+        {
+          const auto &row = rows[index - first];
+          rows_for[rank].push_back(index - first);
+          replies[rank].push_back(row.size());
+          replies[rank].insert(replies[rank].end(), row.begin(), row.end());
+        }
+    rows.resize(rows.size() + wanted.size());
+    for (const auto &[rank, message] :
+         dealii::Utilities::MPI::some_to_some(comm, replies))
+      {
+        unsigned int copy = first_copy_from.at(rank);
+        for (auto at = message.begin(); at != message.end(); ++copy)
+          {
+            const auto size = *at++;
+            rows[copy].assign(at, at + size);
+            at += size;
+          }
+      }
   }
 
 
@@ -160,6 +222,18 @@ namespace lumbricus
             matrix += of_cell[cell].size() * of_cell[cell].size();
           }
       }
+
+    std::map<unsigned int, std::vector<float>> send;
+    for (const auto &[rank, rows] : rows_for)
+      for (const unsigned int r : rows)
+        send[rank].insert(send[rank].end(),
+                          values.begin() + row_begin[r],
+                          values.begin() + row_begin[r + 1]);
+    for (const auto &[rank, copies] :
+         dealii::Utilities::MPI::some_to_some(comm, send))
+      std::copy(copies.begin(),
+                copies.end(),
+                values.begin() + row_begin[first_copy_from.at(rank)]);
   }
 
 

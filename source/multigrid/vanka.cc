@@ -46,18 +46,33 @@ namespace lumbricus
         auto &places = patches[i].places;
         for (const unsigned int cell : cells_of_patches[i])
           {
-            const auto &of_cell = matrix->owned_unknowns(cell);
+            const auto &of_cell = matrix->unknowns_of_cell(cell);
             places.insert(places.end(), of_cell.begin(), of_cell.end());
           }
         std::sort(places.begin(), places.end());
         places.erase(std::unique(places.begin(), places.end()), places.end());
       }
-    weight.assign(matrix->n_owned(), 0.);
+    patch_weight.assign(matrix->n_places(), 0.);
     for (const Patch &patch : patches)
       for (const unsigned int place : patch.places)
-        weight[place] += 1.;
-    for (double &w : weight)
-      w = w > 0. ? 1. / w : 0.;
+        patch_weight[place] += 1.;
+    CellVector n_ranks = matrix->make_vector();
+    touched.clear();
+    for (unsigned int place = 0; place < patch_weight.size(); ++place)
+      if (patch_weight[place] > 0.)
+        {
+          patch_weight[place] = 1. / patch_weight[place];
+          touched.push_back(place);
+          n_ranks.local_element(place) = 1.;
+        }
+    n_ranks.compress(dealii::VectorOperation::add);
+    n_ranks.update_ghost_values();
+    rank_weight.clear();
+    for (const unsigned int place : touched)
+      rank_weight.push_back(1. / n_ranks.local_element(place));
+    before.resize(touched.size());
+    if (!options.multiplicative)
+      frozen = matrix->make_vector();
   }
 
 
@@ -107,49 +122,58 @@ namespace lumbricus
           sum += row[s] * r[s];
         const unsigned int place = patch.places[k];
         x[place] += options.damping *
-                    (options.multiplicative ? 1. : weight[place]) * sum;
+                    (options.multiplicative ? 1. : patch_weight[place]) * sum;
       }
   }
 
 
 
   void
-  Vanka::sweep(CellVector   &x,
-               const double *b,
-               const bool    backward,
-               const bool    x_is_zero) const
+  Vanka::sweep(CellVector       &x,
+               const CellVector &b,
+               const bool        backward,
+               const bool        x_is_zero) const
   {
     if (!x_is_zero)
       x.update_ghost_values();
-    double *const       entries = x.begin();
-    std::vector<double> r;
+    double *const entries = x.begin();
+    for (unsigned int k = 0; k < touched.size(); ++k)
+      before[k] = entries[touched[k]];
     if (!options.multiplicative)
-      {
-        residual.resize(matrix->n_owned());
-        matrix->residual(x, b, residual.data());
-      }
+      std::copy(entries, entries + matrix->n_places(), frozen.begin());
+
+    const double *const seen =
+      options.multiplicative ? entries : frozen.begin();
+    const double *const rhs = b.begin();
+    std::vector<double> r;
     for (unsigned int i = 0; i < patches.size(); ++i)
       {
         const Patch &patch = patches[backward ? patches.size() - 1 - i : i];
         r.resize(patch.places.size());
         for (unsigned int k = 0; k < r.size(); ++k)
           {
-            const unsigned int place = patch.places[k];
-            if (!options.multiplicative)
-              {
-                r[k] = residual[place];
-                continue;
-              }
-            const auto row = matrix->row(place);
-            double     sum = b[place];
+            const auto row = matrix->row(patch.places[k]);
+            double     sum = rhs[patch.places[k]];
 #pragma omp simd reduction(- : sum)
             for (unsigned int e = 0; e < row.size; ++e)
-              sum -= row.values[e] * entries[row.columns[e]];
+              sum -= row.values[e] * seen[row.columns[e]];
             r[k] = sum;
           }
         add_correction(patch, r.data(), entries);
       }
+
+    for (unsigned int k = 0; k < touched.size(); ++k)
+      before[k] = rank_weight[k] * (entries[touched[k]] - before[k]);
+    const unsigned int n_owned = matrix->n_owned();
+    // Of the ghost entries only the changes here are left to be added.
+    for (unsigned int k = 0; k < touched.size(); ++k)
+      if (touched[k] < n_owned)
+        entries[touched[k]] += before[k] * (1. - 1. / rank_weight[k]);
     x.zero_out_ghost_values();
+    for (unsigned int k = 0; k < touched.size(); ++k)
+      if (touched[k] >= n_owned)
+        entries[touched[k]] = before[k];
+    x.compress(dealii::VectorOperation::add);
   }
 
 

@@ -146,8 +146,8 @@ TEST_F(MultigridBlock, LevelsHaveTheUnknownsOfTheirMeshes)
 TEST_F(MultigridBlock, ProlongationOfAQuadraticIsExact)
 {
   make(false);
-  const VCycle v_cycle(tangent, parameters);
-  CellVector   exact = unknowns.make_vector();
+  const VCycle                                 v_cycle(tangent, parameters);
+  CellVector                                   exact = unknowns.make_vector();
   std::vector<dealii::types::global_dof_index> indices(
     space.fe.n_dofs_per_cell());
   for (const auto &cell : space.dof_handler.active_cell_iterators())
@@ -163,9 +163,9 @@ TEST_F(MultigridBlock, ProlongationOfAQuadraticIsExact)
                 exact(indices[i]) = (c + 1.) * X[0] * X[1] - X[2] * X[c] + X[1];
               }
       }
-  const auto   &hierarchy = v_cycle.meshes();
-  CellVector    x         = hierarchy.level(0).unknowns->make_vector();
-  const auto    inject    = [&](const Level &level, CellVector &on_level) {
+  const auto &hierarchy = v_cycle.meshes();
+  CellVector  x         = hierarchy.level(0).unknowns->make_vector();
+  const auto  inject    = [&](const Level &level, CellVector &on_level) {
     on_level = level.unknowns->make_vector();
     for (unsigned int k = 0; k < level.on_finest.size(); ++k)
       if (level.on_finest[k] != dealii::numbers::invalid_unsigned_int)
@@ -180,7 +180,9 @@ TEST_F(MultigridBlock, ProlongationOfAQuadraticIsExact)
     }
   for (unsigned int k = 0; k < x.locally_owned_size(); ++k)
     if (!unknowns.is_constrained()[k])
-      EXPECT_NEAR(x.local_element(k), exact.local_element(k), 1e-12);
+      {
+        EXPECT_NEAR(x.local_element(k), exact.local_element(k), 1e-12);
+      }
 }
 
 

@@ -15,8 +15,8 @@ namespace lumbricus
 {
   /**
    * The assembled matrix of a mesh in its free unknowns, C^T K C: the rows that
-   * this rank owns, compressed, in single precision. All functions but row()
-   * and the vectors' places are collective.
+   * this rank owns, and copies of the other rows its cells have, compressed, in
+   * single precision. reinit() and finish() are collective.
    */
   class LevelMatrix
   {
@@ -57,7 +57,7 @@ namespace lumbricus
     unsigned int
     n_owned() const
     {
-      return row_begin.size() - 1;
+      return columns->locally_owned_size();
     }
 
     /** Owned entries of a vector and those of other ranks. */
@@ -67,9 +67,12 @@ namespace lumbricus
       return columns->locally_owned_size() + columns->n_ghost_indices();
     }
 
+    /** The row of the unknown at @p place. */
     Row
-    row(const unsigned int r) const
+    row(const unsigned int place) const
     {
+      const unsigned int r =
+        place < n_owned() ? place : copy_at[place - n_owned()];
       return {column.data() + row_begin[r],
               values.data() + row_begin[r],
               static_cast<unsigned int>(row_begin[r + 1] - row_begin[r])};
@@ -79,11 +82,11 @@ namespace lumbricus
     void
     residual(const CellVector &x, const double *b, double *r) const;
 
-    /** The owned free unknowns of owned cell @p i, as places. */
+    /** The free unknowns of owned cell @p i, as places. */
     const std::vector<unsigned int> &
-    owned_unknowns(const unsigned int i) const
+    unknowns_of_cell(const unsigned int i) const
     {
-      return owned_of_cell[i];
+      return of_cell[i];
     }
 
     std::size_t
@@ -93,10 +96,19 @@ namespace lumbricus
     }
 
   private:
+    /** Append to the columns of the owned rows, in global numbers, those of the
+     * rows @p wanted from their owners; @p firsts are the ranks' first rows. */
+    void
+    exchange_rows(
+      const std::vector<dealii::types::global_dof_index>        &wanted,
+      const std::vector<dealii::types::global_dof_index>        &firsts,
+      const dealii::types::global_dof_index                      first,
+      std::vector<std::vector<dealii::types::global_dof_index>> &rows);
+
     void
     add_rows(const unsigned int cell, const double *matrix);
 
-    MPI_Comm     comm = MPI_COMM_NULL;
+    MPI_Comm     comm          = MPI_COMM_NULL;
     unsigned int n_owned_cells = 0;
 
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> columns;
@@ -104,11 +116,16 @@ namespace lumbricus
      * the places of their free unknowns, and the order that sorts these. */
     std::vector<std::vector<unsigned int>> of_cell;
     std::vector<std::vector<unsigned int>> sorted;
-    std::vector<std::vector<unsigned int>> owned_of_cell;
     /** To whom an owned cell's matrix goes as well; from whom others come. */
-    std::vector<std::vector<unsigned int>>            receivers;
+    std::vector<std::vector<unsigned int>>             receivers;
     std::vector<std::pair<unsigned int, unsigned int>> received; // rank, cells
     std::map<unsigned int, std::vector<double>>        outgoing;
+
+    /** Owned rows that go to other ranks; first copy, by the rank they come
+     * from; and of each place that is not owned the row, if there is one. */
+    std::map<unsigned int, std::vector<unsigned int>> rows_for;
+    std::map<unsigned int, unsigned int>              first_copy_from;
+    std::vector<unsigned int>                         copy_at;
 
     std::vector<std::size_t>  row_begin = {0};
     std::vector<unsigned int> column;

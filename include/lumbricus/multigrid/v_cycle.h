@@ -21,12 +21,12 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override;
 
-    unsigned int n_coarsest     = 10000;
-    unsigned int n_sweeps       = 2;
+    unsigned int n_coarsest      = 10000;
+    unsigned int n_sweeps        = 1;
     unsigned int n_coarse_cycles = 1;
-    double       damping        = 0.7;
-    double       thin           = 3.;
-    std::string  vanka          = "multiplicative";
+    double       damping         = 0.7;
+    double       thin            = 3.;
+    std::string  vanka           = "multiplicative";
   };
 
 
@@ -96,7 +96,7 @@ namespace lumbricus
     {
       LevelMatrix        matrix;
       Vanka              smoother;
-      mutable CellVector x, b, work;
+      mutable CellVector x, b, defect, work;
       /** 1 / number of cells of each owned unknown; 0 where constrained. */
       CellVector weight;
     };

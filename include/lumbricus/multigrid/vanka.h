@@ -14,10 +14,10 @@ namespace lumbricus
    *
    *   x_k += omega A_kk^(-1) (b - A x)_k.
    *
-   * One cell after the other sees what those before it did (multiplicative),
-   * except for those of other ranks, whose part is seen by the next sweep. Or
-   * no cell sees that (additive); an unknown then gets the mean of what its
-   * cells give.
+   * One cell after the other sees what those before it did (multiplicative).
+   * What the cells of other ranks do is seen by the next sweep, and an unknown
+   * that ranks share gets the mean of what they give. Or no cell sees what
+   * others do (additive), and an unknown gets the mean of what cells give.
    */
   class Vanka
   {
@@ -41,13 +41,13 @@ namespace lumbricus
     /**
      * One sweep on A x = b, over the cells from the first to the last or, for
      * the transposed of that, from the last to the first. Collective.
-     * @param b owned entries
+     * @p b has its ghost values, @p x has none before and after.
      */
     void
-    sweep(CellVector   &x,
-          const double *b,
-          const bool    backward,
-          const bool    x_is_zero) const;
+    sweep(CellVector       &x,
+          const CellVector &b,
+          const bool        backward,
+          const bool        x_is_zero) const;
 
     std::size_t
     memory() const;
@@ -60,15 +60,18 @@ namespace lumbricus
     };
 
     void
-    add_correction(const Patch  &patch,
-                   const double *r,
-                   double       *x) const;
+    add_correction(const Patch &patch, const double *r, double *x) const;
 
-    const LevelMatrix         *matrix = nullptr;
-    Options                    options;
-    std::vector<Patch>         patches;
-    std::vector<double>        weight; // of each unknown, additive only
-    mutable std::vector<double> residual;
+    const LevelMatrix *matrix = nullptr;
+    Options            options;
+    std::vector<Patch> patches;
+    /** Of the unknowns of patches, owned or not: place, 1 / number of ranks
+     * that have it, and 1 / number of patches here that have it. */
+    std::vector<unsigned int>   touched;
+    std::vector<double>         rank_weight;
+    std::vector<double>         patch_weight; // by place
+    mutable std::vector<double> before;
+    mutable CellVector          frozen;
   };
 } // namespace lumbricus
 
