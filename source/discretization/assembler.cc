@@ -48,9 +48,11 @@ namespace lumbricus
     unknowns.reinit(supports.constraints());
     linearisation.reinit();
     linearisation.symmetric = conditions.symmetric();
-    u                       = unknowns.make_vector();
-    sum                     = unknowns.make_vector();
-    rhs                     = unknowns.make_vector();
+    // An assignment would keep the old ghost entries where only the constraints
+    // are new.
+    u.reinit(unknowns.make_vector());
+    sum.reinit(unknowns.make_vector());
+    rhs.reinit(unknowns.make_vector());
   }
 
 

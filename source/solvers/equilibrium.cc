@@ -65,7 +65,7 @@ namespace lumbricus
   Equilibrium::reinit_solvers()
   {
     assembler.reinit();
-    increment = assembler.right_hand_side();
+    increment.reinit(assembler.right_hand_side());
     linear_solver.reinit(assembler.tangent());
   }
 
