@@ -303,10 +303,12 @@ namespace
     FreeNumbering                     numbering;
     numbering.reinit(block.unknowns, true, MPI_COMM_SELF);
     Mumps<Number> mumps(MPI_COMM_SELF, {true, true, 0.}, numbering);
+    for (unsigned int i = 0; i < block.n_cells(); ++i)
+      mumps.add_pattern(block.unknowns.free_unknowns(i).data(), n);
+    mumps.analyse();
     mumps.begin();
-    ElementKernel             kernel;
-    std::vector<double>       K;
-    std::vector<unsigned int> own;
+    ElementKernel       kernel;
+    std::vector<double> K;
     for (unsigned int i = 0; i < block.n_cells(); ++i)
       {
         kernel.set(block.state[i].data());
@@ -318,7 +320,7 @@ namespace
         block.tangent.cell_matrix(i, K);
         for (unsigned int r = 0; r < n; ++r)
           K[r * n + r] *= 1.1;
-        mumps.add(block.unknowns.free_unknowns(i, own).data(), n, K.data());
+        mumps.add(n, K.data());
       }
     mumps.factor();
     std::vector<Number> values(numbering.n_owned());

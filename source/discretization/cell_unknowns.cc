@@ -21,7 +21,6 @@ namespace lumbricus
   CellUnknowns::reinit(const dealii::AffineConstraints<double> &constraints)
   {
     std::vector<Index> of_cells;
-    std::vector<Index> needed;
     std::vector<Index> indices(n_per_cell);
     for (const auto &cell : space.dof_handler.active_cell_iterators() |
                               dealii::IteratorFilters::LocallyOwnedCell())
@@ -35,28 +34,42 @@ namespace lumbricus
               indices[space.displacement_dof[c][n]];
         for (unsigned int m = 0; m < MixedSpace::n_pressure_modes; ++m)
           of_cells[begin + pressure(m)] = indices[space.pressure_dof[m]];
-        for (const Index index : indices)
-          {
-            if (!space.locally_owned.is_element(index))
-              needed.push_back(index);
-            if (const auto *entries = constraints.get_constraint_entries(index))
-              for (const auto &[target, weight] : *entries)
-                if (!space.locally_owned.is_element(target))
-                  needed.push_back(target);
-          }
+        for (unsigned int k = 0; k < n_private; ++k)
+          Assert(!constraints.is_constrained(of_cells[begin + k]),
+                 dealii::ExcInternalError());
+      }
+    reinit(space.locally_owned, of_cells, constraints);
+  }
+
+
+
+  void
+  CellUnknowns::reinit(const dealii::IndexSet                  &owned,
+                       const std::vector<Index>                &of_cells,
+                       const dealii::AffineConstraints<double> &constraints)
+  {
+    std::vector<Index> needed;
+    for (const Index index : of_cells)
+      {
+        if (!owned.is_element(index))
+          needed.push_back(index);
+        if (const auto *entries = constraints.get_constraint_entries(index))
+          for (const auto &[target, weight] : *entries)
+            if (!owned.is_element(target))
+              needed.push_back(target);
       }
     std::sort(needed.begin(), needed.end());
     needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
-    dealii::IndexSet ghosts(space.locally_owned.size());
+    dealii::IndexSet ghosts(owned.size());
     ghosts.add_indices(needed.begin(), needed.end());
     ghosts.compress();
     partitioner = std::make_shared<dealii::Utilities::MPI::Partitioner>(
-      space.locally_owned, ghosts, space.communicator());
+      owned, ghosts, space.communicator());
 
-    constrained.assign(space.locally_owned.n_elements(), false);
+    constrained.assign(owned.n_elements(), false);
     for (const auto &line : constraints.get_lines())
-      if (space.locally_owned.is_element(line.index))
-        constrained[space.locally_owned.index_within_set(line.index)] = true;
+      if (owned.is_element(line.index))
+        constrained[owned.index_within_set(line.index)] = true;
 
     const unsigned int n_cells = of_cells.size() / n_per_cell;
     place.resize(of_cells.size());
@@ -94,7 +107,6 @@ namespace lumbricus
                 C.weight.push_back(1.);
                 continue;
               }
-            Assert(r >= n_private, dealii::ExcInternalError());
             C.rows.push_back(r);
             C.indices.push_back(index[r]);
             for (const auto &[target, weight] :
@@ -217,6 +229,31 @@ namespace lumbricus
     const auto &hung_on =
       constrained_cells[of_constrained_cell[i]].free_unknowns;
     return {hung_on.data(), hung_on.size()};
+  }
+
+
+
+  bool
+  CellUnknowns::is_constrained(const unsigned int i, const unsigned int k) const
+  {
+    if (of_constrained_cell[i] < 0)
+      return false;
+    const auto &rows = constrained_cells[of_constrained_cell[i]].rows;
+    return std::binary_search(rows.begin(), rows.end(), k);
+  }
+
+
+
+  std::vector<std::pair<unsigned int, double>>
+  CellUnknowns::row(const unsigned int i, const unsigned int k) const
+  {
+    if (of_constrained_cell[i] < 0)
+      return {{places(i)[k], 1.}};
+    const Constrained &C = constrained_cells[of_constrained_cell[i]];
+    std::vector<std::pair<unsigned int, double>> entries;
+    for (unsigned int e = C.row_begin[k]; e < C.row_begin[k + 1]; ++e)
+      entries.emplace_back(C.free_unknowns[C.column[e]], C.weight[e]);
+    return entries;
   }
 
 

@@ -29,6 +29,10 @@ namespace lumbricus
   {
     dealii::TimerOutput::Scope scope(timer, "setup");
     model.create(checkpoint);
+    parameters.linear_solver.get()->report_to(
+      [this](const std::string &message) {
+        log << "        " << message << "\n";
+      });
   }
 
 

@@ -4,7 +4,7 @@
 namespace lumbricus
 {
   RunParameters::RunParameters()
-    : linear_solver("Method", "kept factor", "How linear systems are solved.")
+    : linear_solver("Method", "auto", "How linear systems are solved.")
   {}
 
 

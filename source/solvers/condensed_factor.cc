@@ -30,6 +30,12 @@ namespace lumbricus
     , couplings(tangent.unknowns.n_cells())
   {
     tangent.unknowns.reinit_vector(reduced);
+    for (unsigned int i = 0; i < tangent.unknowns.n_cells(); ++i)
+      {
+        const auto places = tangent.unknowns.free_unknowns(i);
+        mumps.add_pattern(places.data() + n_private, places.size() - n_private);
+      }
+    mumps.analyse();
   }
 
 
@@ -47,8 +53,7 @@ namespace lumbricus
       {
         tangent.cell_matrix(i, K);
         unknowns.apply_constraints(i, K);
-        const auto         places   = unknowns.free_unknowns(i);
-        const unsigned int n        = places.size();
+        const unsigned int n        = unknowns.free_unknowns(i).size();
         const unsigned int n_shared = n - n_private;
 
         for (unsigned int r = 0; r < n_private; ++r)
@@ -86,7 +91,7 @@ namespace lumbricus
               for (unsigned int k = 0; k < n_shared; ++k)
                 S_r[k] -= K_r[z] * row[z * n_shared + k];
           }
-        mumps.add(places.data() + n_private, n_shared, S.data());
+        mumps.add(n_shared, S.data());
       }
     mumps.factor();
   }

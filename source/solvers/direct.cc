@@ -62,6 +62,12 @@ namespace lumbricus
             comm,
             Mumps<double>::Options{tangent->symmetric, true, 0.},
             numbering);
+          for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
+            {
+              const auto places = unknowns.free_unknowns(i);
+              mumps->add_pattern(places.data(), places.size());
+            }
+          mumps->analyse();
         }
       mumps->begin();
       std::vector<double> K;
@@ -69,8 +75,7 @@ namespace lumbricus
         {
           tangent->cell_matrix(i, K);
           unknowns.apply_constraints(i, K);
-          const auto places = unknowns.free_unknowns(i);
-          mumps->add(places.data(), places.size(), K.data());
+          mumps->add(unknowns.free_unknowns(i).size(), K.data());
         }
       mumps->factor();
     }

@@ -83,6 +83,7 @@ namespace lumbricus
                        const FreeNumbering &numbering)
     : comm(comm)
     , symmetric(options.symmetric)
+    , compressed(options.compression > 0.)
     , numbering(numbering)
     , instance(std::make_unique<Instance>())
   {
@@ -136,35 +137,16 @@ namespace lumbricus
 
   template <typename Number>
   void
-  Mumps<Number>::begin()
-  {
-    next = 0;
-  }
-
-
-
-  template <typename Number>
-  void
-  Mumps<Number>::add(const unsigned int *places,
-                     const unsigned int  n,
-                     const double       *matrix)
+  Mumps<Number>::add_pattern(const unsigned int *places, const unsigned int n)
   {
     for (unsigned int r = 0; r < n; ++r)
       for (unsigned int s = 0; s < (symmetric ? r + 1 : n); ++s)
         {
-          const Number value = static_cast<Number>(matrix[r * n + s]);
-          if (analysed)
-            {
-              AssertIndexRange(next, entries.size());
-              entries[next++] = value;
-              continue;
-            }
           // MUMPS counts from one.
           const int row    = numbering.number(places[r]) + 1;
           const int column = numbering.number(places[s]) + 1;
           rows.push_back(symmetric ? std::max(row, column) : row);
           columns.push_back(symmetric ? std::min(row, column) : column);
-          entries.push_back(value);
         }
   }
 
@@ -174,6 +156,7 @@ namespace lumbricus
   void
   Mumps<Number>::analyse()
   {
+    entries.resize(rows.size());
     auto &data   = instance->data;
     data.n       = numbering.size();
     data.nnz_loc = rows.size();
@@ -199,7 +182,47 @@ namespace lumbricus
                                "with code " +
                                std::to_string(instance->info(1)) + ", " +
                                std::to_string(instance->info(2)) + "."));
-    analysed = true;
+  }
+
+
+
+  template <typename Number>
+  double
+  Mumps<Number>::planned_flops() const
+  {
+    return instance->real_info(1);
+  }
+
+
+
+  template <typename Number>
+  double
+  Mumps<Number>::planned_megabytes() const
+  {
+    return instance->info(compressed ? 36 : 16);
+  }
+
+
+
+  template <typename Number>
+  void
+  Mumps<Number>::begin()
+  {
+    next = 0;
+  }
+
+
+
+  template <typename Number>
+  void
+  Mumps<Number>::add(const unsigned int n, const double *matrix)
+  {
+    for (unsigned int r = 0; r < n; ++r)
+      for (unsigned int s = 0; s < (symmetric ? r + 1 : n); ++s)
+        {
+          AssertIndexRange(next, entries.size());
+          entries[next++] = static_cast<Number>(matrix[r * n + s]);
+        }
   }
 
 
@@ -208,9 +231,6 @@ namespace lumbricus
   void
   Mumps<Number>::factor()
   {
-    if (!analysed)
-      analyse();
-
     // Delayed pivots may need more room than the analysis foresaw.
     constexpr int out_of_estimate[] = {-8, -9, -20};
     constexpr int most_percent      = 1000;
@@ -278,15 +298,6 @@ namespace lumbricus
                  type,
                  0,
                  comm);
-  }
-
-
-
-  template <typename Number>
-  int
-  Mumps<Number>::memory_in_megabytes() const
-  {
-    return instance->info(21);
   }
 
 

@@ -10,6 +10,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace lumbricus
@@ -57,6 +58,16 @@ namespace lumbricus
     void
     reinit(const dealii::AffineConstraints<double> &constraints);
 
+    /**
+     * The same for unknowns that are not those of the space, as on a coarser
+     * mesh: @p of_cells has n_per_cell of them for each cell, and this rank
+     * owns those in @p owned, a range. Collective.
+     */
+    void
+    reinit(const dealii::IndexSet                             &owned,
+           const std::vector<dealii::types::global_dof_index> &of_cells,
+           const dealii::AffineConstraints<double>            &constraints);
+
     /** Only the inhomogeneities of @p constraints have changed. */
     void
     update_inhomogeneities(
@@ -87,6 +98,21 @@ namespace lumbricus
      * its private unknowns come first. */
     dealii::ArrayView<const unsigned int>
     free_unknowns(const unsigned int i) const;
+
+    /** The places of the unknowns of owned cell @p i, constrained or not. */
+    const unsigned int *
+    places(const unsigned int i) const
+    {
+      return place.data() + std::size_t(i) * n_per_cell;
+    }
+
+    /** Whether unknown @p k of owned cell @p i is constrained. */
+    bool
+    is_constrained(const unsigned int i, const unsigned int k) const;
+
+    /** Row @p k of C of owned cell @p i: places of free unknowns, weights. */
+    std::vector<std::pair<unsigned int, double>>
+    row(const unsigned int i, const unsigned int k) const;
 
     /** Replace a square matrix in the unknowns of the cell, by rows, by
      * C^T matrix C in its free unknowns. */
@@ -119,12 +145,6 @@ namespace lumbricus
       std::vector<dealii::types::global_dof_index> indices;
       std::vector<double>                          inhomogeneities;
     };
-
-    const unsigned int *
-    places(const unsigned int i) const
-    {
-      return place.data() + std::size_t(i) * n_per_cell;
-    }
 
     const MixedSpace &space;
 

@@ -3,6 +3,7 @@
 #define lumbricus_solvers_condensed_factor_h
 
 #include <lumbricus/discretization/tangent.h>
+#include <lumbricus/solvers/approximate_inverse.h>
 #include <lumbricus/solvers/mumps.h>
 
 namespace lumbricus
@@ -18,7 +19,7 @@ namespace lumbricus
    * a material with 1/kappa + 1/(penalty mu) in place of 1/kappa. S has three
    * unknowns per node and no zeros on its diagonal.
    */
-  class CondensedFactor
+  class CondensedFactor : public ApproximateInverse
   {
   public:
     /** With more the volume is kept better, but in single precision the
@@ -29,24 +30,42 @@ namespace lumbricus
      * from its diagonal are compressed to low rank. */
     static constexpr double compression = 1e-3;
 
-    /** For the pattern of @p tangent. Without @p pivoting it is faster, and of
-     * no use where S is singular or close to it on the way. */
+    /** What to call it when speaking to the user. */
+    static const char *
+    name(const bool pivoting)
+    {
+      return pivoting ? "factors with pivoting" : "factors";
+    }
+
+    /** For the pattern of @p tangent, which MUMPS analyses. Without
+     * @p pivoting it is faster, and of no use where S is singular or close to
+     * it on the way. Collective. */
     CondensedFactor(const Tangent &tangent,
                     const bool     pivoting,
                     const MPI_Comm comm);
 
-    /** Factor what the tangent is now. Throws as Mumps::factor(). Collective.
-     */
     void
-    factor();
+    factor() override;
 
-    /** y = an approximation of K^(-1) x. Collective. */
     void
-    vmult(CellVector &y, const CellVector &x) const;
+    vmult(CellVector &y, const CellVector &x) const override;
 
-    /** What a factorisation costs, in applications of vmult(). */
     double
-    cost() const;
+    cost() const override;
+
+    /** What MUMPS will need: operations on all ranks, and memory of the rank
+     * that needs most [MB]. */
+    double
+    planned_flops() const
+    {
+      return mumps.planned_flops();
+    }
+
+    double
+    planned_megabytes() const
+    {
+      return mumps.planned_megabytes();
+    }
 
   private:
     static constexpr unsigned int n_private = CellUnknowns::n_private;

@@ -5,7 +5,8 @@
 #include <lumbricus/core/parameter_owner.h>
 #include <lumbricus/discretization/tangent.h>
 
-#include <memory>
+#include <functional>
+#include <string>
 
 namespace lumbricus
 {
@@ -14,6 +15,7 @@ namespace lumbricus
   {
     unsigned int n_solves         = 0;
     unsigned int n_iterations     = 0;
+    unsigned int most_iterations  = 0; // of one solve
     unsigned int n_factorisations = 0;
     double       factor_seconds   = 0.;
     double       solve_seconds    = 0.;
@@ -51,8 +53,25 @@ namespace lumbricus
       return counts;
     }
 
+    /** Call @p listener with what the user should know, as it happens. */
+    void
+    report_to(const std::function<void(const std::string &)> &new_listener)
+    {
+      listener = new_listener;
+    }
+
   protected:
+    void
+    tell(const std::string &message)
+    {
+      if (listener)
+        listener(message);
+    }
+
     LinearSolverStatistics counts;
+
+  private:
+    std::function<void(const std::string &)> listener;
   };
 } // namespace lumbricus
 

@@ -15,8 +15,8 @@ namespace lumbricus
    * A factorisation by MUMPS (multifrontal, parallel): L D L^T of a symmetric
    * indefinite matrix or L U, in double or single precision (@p Number). Every
    * rank hands over the matrices of its own cells, which MUMPS adds up; the
-   * symbolic analysis is done once for a pattern. All functions are
-   * collective.
+   * symbolic analysis is done once for a pattern. But for the additions, all
+   * functions are collective.
    */
   template <typename Number>
   class Mumps
@@ -41,14 +41,32 @@ namespace lumbricus
     Mumps &
     operator=(const Mumps &) = delete;
 
+    /** Announce a square matrix in the unknowns at @p places. */
+    void
+    add_pattern(const unsigned int *places, const unsigned int n);
+
+    /** When all are announced: order the unknowns and plan the factorisation.
+     * Throws ExcSolveFailed when memory ends. */
+    void
+    analyse();
+
+    /** Operations of the factorisation that is planned, on all ranks, without
+     * compression. */
+    double
+    planned_flops() const;
+
+    /** Memory it takes on the rank that needs most [MB]. */
+    double
+    planned_megabytes() const;
+
     /** Before the matrices of all cells are added. */
     void
     begin();
 
-    /** Add a square matrix, by rows, in the unknowns at @p places. Always the
-     * same ones, in the same order. */
+    /** Add a square matrix of size @p n, by rows: those that were announced, in
+     * the same order. */
     void
-    add(const unsigned int *places, const unsigned int n, const double *matrix);
+    add(const unsigned int n, const double *matrix);
 
     /**
      * Factor the sum. Throws ExcNotConverged for a singular matrix,
@@ -61,10 +79,6 @@ namespace lumbricus
      * numbering, by the solution. */
     void
     solve(std::vector<Number> &values);
-
-    /** Memory of the factorisation on the rank that uses most [MB]. */
-    int
-    memory_in_megabytes() const;
 
     /** Operations of the last factorisation on all ranks. */
     double
@@ -80,15 +94,12 @@ namespace lumbricus
     void
     run(const int job);
 
-    void
-    analyse();
-
     const MPI_Comm            comm;
     const bool                symmetric;
+    const bool                compressed;
     const FreeNumbering      &numbering;
     std::unique_ptr<Instance> instance;
-    bool                      analysed = false;
-    std::size_t               next     = 0;
+    std::size_t               next = 0;
     std::vector<int>          rows, columns;
     std::vector<Number>       entries;
     std::vector<Number>       centralised;

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_multigrid_v_cycle_h
+#define lumbricus_multigrid_v_cycle_h
+
+#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/discretization/tangent.h>
+#include <lumbricus/multigrid/embedding.h>
+#include <lumbricus/multigrid/hierarchy.h>
+#include <lumbricus/multigrid/vanka.h>
+#include <lumbricus/solvers/approximate_inverse.h>
+#include <lumbricus/solvers/mumps.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /** How a V-cycle is done. */
+  struct VCycleParameters : public ParameterOwner
+  {
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    unsigned int n_coarsest      = 10000;
+    unsigned int n_sweeps        = 1;
+    unsigned int n_coarse_cycles = 1;
+    double       damping         = 0.7;
+    double       thin            = 3.;
+    std::string  vanka           = "multiplicative";
+  };
+
+
+
+  /**
+   * An approximate inverse of the tangent, for Krylov methods: one cycle of
+   * geometric multigrid for displacement and pressure together,
+   *
+   *   x += S (b - A_l x),   x += P A_(l-1)^(-1) P^T (b - A_l x),
+   *   x += S^T (b - A_l x),
+   *
+   * with sweeps S over the cells (Vanka) and MUMPS on the coarsest mesh. The
+   * coarse matrices are computed cell by cell from those of the finest mesh,
+   * A_(l-1) = sum P_c^T A_c P_c (Embedding), so that they carry whatever state
+   * and material there is.
+   */
+  class VCycle : public ApproximateInverse
+  {
+  public:
+    /** What to call it when speaking to the user. */
+    static constexpr const char *name = "multigrid";
+
+    /** For the mesh of @p tangent. Collective. */
+    VCycle(const Tangent &tangent, const VCycleParameters &parameters);
+
+    /** Compute all matrices. */
+    void
+    factor() override;
+
+    void
+    vmult(CellVector &y, const CellVector &x) const override;
+
+    double
+    cost() const override;
+
+    const Hierarchy &
+    meshes() const
+    {
+      return hierarchy;
+    }
+
+    /** x_(l+1) += P x_l, and x_l = P^T x_(l+1). */
+    void
+    prolongate_and_add(const unsigned int l,
+                       const CellVector  &coarse,
+                       CellVector        &fine) const;
+    void
+    restrict_to(const unsigned int l,
+                const CellVector  &fine,
+                CellVector        &coarse) const;
+
+    /** The matrix of cell @p i on a level below the finest, by rows, without
+     * constraints. */
+    const std::vector<double> &
+    cell_matrix(const unsigned int l, const unsigned int i) const
+    {
+      return coarse_matrices[l][i];
+    }
+
+    /** Bytes of the matrices and inverses on this rank. */
+    std::size_t
+    memory() const;
+
+  private:
+    /** What is needed on a level above the coarsest. */
+    struct Smoothed
+    {
+      LevelMatrix        matrix;
+      Vanka              smoother;
+      mutable CellVector x, b, defect, work;
+      /** Of the correction by the next coarser level. */
+      mutable CellVector coarse_x, coarse_b;
+      /** 1 / number of cells of each owned unknown; 0 where constrained. */
+      CellVector weight;
+    };
+
+    void
+    cycle(const unsigned int l, CellVector &x, const CellVector &b) const;
+
+    void
+    solve_coarsest(CellVector &x, const CellVector &b) const;
+
+    void
+    gather_split(const unsigned int l);
+
+    const Tangent          &tangent;
+    const VCycleParameters &parameters;
+    const MPI_Comm          comm;
+
+    const Embedding                        embedding;
+    Hierarchy                              hierarchy;
+    std::vector<std::unique_ptr<Smoothed>> smoothed; // [0] is empty
+    /** Of each level but the finest and cell of it. */
+    std::vector<std::vector<std::vector<double>>> coarse_matrices;
+
+    FreeNumbering                          numbering;
+    mutable std::unique_ptr<Mumps<double>> mumps;
+    mutable std::vector<double>            values;
+  };
+} // namespace lumbricus
+
+#endif

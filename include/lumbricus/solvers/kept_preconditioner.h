@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_solvers_kept_preconditioner_h
+#define lumbricus_solvers_kept_preconditioner_h
+
+#include <lumbricus/solvers/approximate_inverse.h>
+#include <lumbricus/solvers/factor_age.h>
+#include <lumbricus/solvers/linear_solver.h>
+
+#include <memory>
+#include <string>
+
+namespace lumbricus
+{
+  /**
+   * FGMRES, preconditioned by an approximate inverse of an earlier tangent,
+   * which is kept across Newton iterations, resets and load steps for as long
+   * as the iterations it costs are fewer than a new one is worth (FactorAge).
+   *
+   * Where even a new one does not do, the next more robust kind of inverse is
+   * taken, and used until the mesh is new.
+   */
+  class KeptPreconditioner : public LinearSolver
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    void
+    reinit(const Tangent &tangent) override;
+
+    void
+    solve(CellVector       &x,
+          const CellVector &b,
+          const double      wanted_tolerance) override;
+
+  protected:
+    /** A kind of inverse, and what to call it when speaking to the user. */
+    struct Kind
+    {
+      std::string                         name;
+      std::unique_ptr<ApproximateInverse> inverse;
+    };
+
+    /** The inverse of kind @p kind for the pattern of @p tangent: the fastest
+     * is 0, each one more is more robust; without an inverse where there is
+     * none left. Collective. */
+    virtual Kind
+    make(const Tangent &tangent, const unsigned int kind) = 0;
+
+  private:
+    /** @return whether it can be done for what the tangent is now. */
+    bool
+    factor();
+
+    /** @return whether FGMRES converged. */
+    bool
+    iterate(CellVector &x, const CellVector &b, const double tolerance);
+
+    /** Let the next kind follow. Throws ExcNotConverged where there is none. */
+    void
+    give_up_kind();
+
+    unsigned int                    most_iterations = 60;
+    double                          least_accuracy  = 1.;
+    bool                            keep            = true;
+    const Tangent                  *tangent         = nullptr;
+    dealii::types::global_dof_index n_unknowns      = 0;
+    unsigned int                    kind            = 0;
+    Kind                            current;
+    bool                            factored = false;
+    FactorAge                       age;
+  };
+} // namespace lumbricus
+
+#endif
