@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
 #include <lumbricus/multigrid/vanka.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace lumbricus
 {
@@ -83,6 +85,7 @@ namespace lumbricus
   {
     std::vector<int>                 position(matrix->n_places(), -1);
     dealii::LAPACKFullMatrix<double> A;
+    std::string                      singular;
     for (Patch &patch : patches)
       {
         const unsigned int n = patch.places.size();
@@ -100,12 +103,21 @@ namespace lumbricus
           position[place] = -1;
         if (n < CellUnknowns::n_per_cell)
           relax_pressures(A);
-        A.invert();
+        try
+          {
+            A.invert();
+          }
+        catch (const dealii::ExceptionBase &)
+          {
+            singular = "A patch of the smoother is singular.";
+            continue;
+          }
         patch.inverse.resize(n * n);
         for (unsigned int r = 0; r < n; ++r)
           for (unsigned int s = 0; s < n; ++s)
             patch.inverse[r * n + s] = static_cast<float>(A(r, s));
       }
+    throw_on_all_ranks<ExcNotConverged>(singular, matrix->communicator());
   }
 
 

@@ -32,6 +32,9 @@ namespace lumbricus
                         "[operations] Factors may take this many operations "
                         "per unknown.",
                         dealii::Patterns::Double(0.));
+      prm.enter_subsection("multigrid");
+      multigrid.declare_parameters(prm);
+      prm.leave_subsection();
     }
 
   private:
@@ -39,25 +42,27 @@ namespace lumbricus
     make(const Tangent &tangent, const unsigned int kind) override
     {
       const MPI_Comm comm    = tangent.space.communicator();
-      const auto     factors = [&](const bool pivoting) {
-        return std::make_unique<CondensedFactor>(tangent, pivoting, comm);
+      const auto     factors = [&](const unsigned int i) {
+        return std::make_unique<CondensedFactor>(tangent,
+                                                 CondensedFactor::accuracies[i],
+                                                 comm);
       };
       const auto n = tangent.space.dof_handler.n_dofs();
       if (n != n_decided)
         {
           n_decided    = n;
-          auto planned = factors(false);
+          auto planned = factors(0);
           by_multigrid = tangent.space.triangulation.n_global_levels() > 1 &&
                          too_much(*planned, n, comm);
           if (!by_multigrid)
-            return {CondensedFactor::name(false), std::move(planned)};
+            return {CondensedFactor::accuracies[0].name, std::move(planned)};
         }
       if (by_multigrid && kind == 0)
         return {VCycle::name, std::make_unique<VCycle>(tangent, multigrid)};
-      const unsigned int attempt = by_multigrid ? kind - 1 : kind;
-      if (attempt > 1)
+      const unsigned int i = by_multigrid ? kind - 1 : kind;
+      if (i == CondensedFactor::accuracies.size())
         return {};
-      return {CondensedFactor::name(attempt == 1), factors(attempt == 1)};
+      return {CondensedFactor::accuracies[i].name, factors(i)};
     }
 
     /** Decide, and say so. */
@@ -82,7 +87,7 @@ namespace lumbricus
     }
 
     double                          most_memory = 0.6;
-    double                          most_work   = 1e6;
+    double                          most_work   = 5e7;
     VCycleParameters                multigrid;
     dealii::types::global_dof_index n_decided    = 0;
     bool                            by_multigrid = false;

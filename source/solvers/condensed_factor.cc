@@ -20,12 +20,14 @@ namespace lumbricus
 
 
 
-  CondensedFactor::CondensedFactor(const Tangent &tangent,
-                                   const bool     pivoting,
-                                   const MPI_Comm comm)
+  CondensedFactor::CondensedFactor(const Tangent  &tangent,
+                                   const Accuracy &accuracy,
+                                   const MPI_Comm  comm)
     : tangent(tangent)
     , numbering(number_shared(tangent.unknowns, comm))
-    , mumps(comm, {tangent.symmetric, pivoting, compression}, numbering)
+    , mumps(comm,
+            {tangent.symmetric, accuracy.pivoting, accuracy.compression},
+            numbering)
     , inverses(tangent.unknowns.n_cells())
     , couplings(tangent.unknowns.n_cells())
   {

@@ -5,19 +5,19 @@
 
 namespace lumbricus
 {
-  /** A kept factorisation of the condensed tangent, with pivoting where that
-   * without does not do. */
+  /** A kept factorisation of the condensed tangent, more accurate where the
+   * fastest does not do. */
   class KeptFactor : public KeptPreconditioner
   {
     Kind
     make(const Tangent &tangent, const unsigned int kind) override
     {
-      if (kind > 1)
+      if (kind == CondensedFactor::accuracies.size())
         return {};
-      const bool pivoting = kind == 1;
-      return {CondensedFactor::name(pivoting),
+      const auto &accuracy = CondensedFactor::accuracies[kind];
+      return {accuracy.name,
               std::make_unique<CondensedFactor>(tangent,
-                                                pivoting,
+                                                accuracy,
                                                 tangent.space.communicator())};
     }
   };

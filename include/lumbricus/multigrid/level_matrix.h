@@ -54,6 +54,12 @@ namespace lumbricus
       x.reinit(columns);
     }
 
+    MPI_Comm
+    communicator() const
+    {
+      return comm;
+    }
+
     unsigned int
     n_owned() const
     {

@@ -34,7 +34,8 @@ namespace lumbricus
            const std::vector<std::vector<unsigned int>> &cells_of_patches,
            const Options                                &options);
 
-    /** Invert the A_kk of what the matrix is now. */
+    /** Invert the A_kk of what the matrix is now. Throws ExcNotConverged where
+     * one is singular. Collective. */
     void
     invert();
 

@@ -6,6 +6,8 @@
 #include <lumbricus/solvers/approximate_inverse.h>
 #include <lumbricus/solvers/mumps.h>
 
+#include <array>
+
 namespace lumbricus
 {
   /**
@@ -26,23 +28,30 @@ namespace lumbricus
      * rounding errors of the volume's stiffness drown that of the shape. */
     static constexpr double penalty = 1e3;
 
-    /** What of S is neglected, relative to its entries, where blocks of it far
-     * from its diagonal are compressed to low rank. */
-    static constexpr double compression = 1e-3;
-
-    /** What to call it when speaking to the user. */
-    static const char *
-    name(const bool pivoting)
+    /** How S is factored. */
+    struct Accuracy
     {
-      return pivoting ? "factors with pivoting" : "factors";
-    }
+      /** What to call it when speaking to the user. */
+      const char *name;
+      /** Whether rows are exchanged. */
+      bool pivoting;
+      /** What of S is neglected, relative to its entries, where blocks of it
+       * far from its diagonal are compressed to low rank. */
+      double compression;
+    };
 
-    /** For the pattern of @p tangent, which MUMPS analyses. Without
-     * @p pivoting it is faster, and of no use where S is singular or close to
-     * it on the way. Collective. */
-    CondensedFactor(const Tangent &tangent,
-                    const bool     pivoting,
-                    const MPI_Comm comm);
+    /** From fast to robust. The first does for most bodies; a mesh of 300,000
+     * unknowns, fine enough to be badly conditioned, takes the second; without
+     * pivoting S must not be singular or close to it on the way. */
+    static constexpr std::array<Accuracy, 3> accuracies = {
+      {{"factors", false, 1e-3},
+       {"less compressed factors", false, 1e-5},
+       {"factors with pivoting", true, 0.}}};
+
+    /** For the pattern of @p tangent, which MUMPS analyses. Collective. */
+    CondensedFactor(const Tangent  &tangent,
+                    const Accuracy &accuracy,
+                    const MPI_Comm  comm);
 
     void
     factor() override;

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whoever solves the linear systems, the solution is the same; the solver 'auto' says
+what it chose, and goes on with factors where multigrid does not do."""
+import pathlib
+import re
+
+from lumbricus_run import run_well
+from test_invariance import equal
+
+SEGMENT = pathlib.Path(__file__).parent / "segment.prm"
+SHORT = ["Mesh/Global refinements=1", "Time/End=0.09",
+         "Time/First step=0.03", "Time/Largest step=0.03"]
+AUTO = "Linear solver/auto/"
+LEVELS = [AUTO + "multigrid/Coarsest unknowns=1000"]
+CHOSEN = r"solved by multigrid: factors would take (\S+) operations per unknown and " \
+         r"(\S+) GB a rank, of (\S+) GB"
+
+
+def test_multigrid_where_factors_are_too_much_work_or_too_large(tmp_path):
+    factors = run_well(SEGMENT, tmp_path / "factors", SHORT, ranks=2)
+    assert "multigrid" not in factors.log
+    for limit in ("Most work=100", "Most memory=1e-4"):
+        run = run_well(SEGMENT, tmp_path / limit, SHORT + LEVELS + [AUTO + limit],
+                       ranks=2)
+        work, needed, available = map(float, re.search(CHOSEN, run.log).groups())
+        # Of 5,587 unknowns: dense matrices would take 1e7 and 0.06 GB.
+        assert 100 < work < 1e6
+        assert 1e-4 * available < needed < 0.06
+        assert "goes on with" not in run.log
+        equal(factors.segments(), run.segments(), 1e-8)
+
+
+def test_factors_follow_where_multigrid_does_not_do(tmp_path):
+    factors = run_well(SEGMENT, tmp_path / "factors", SHORT)
+    run = run_well(SEGMENT, tmp_path / "auto", SHORT + LEVELS + [
+        AUTO + "Most work=100", AUTO + "Most iterations=11"])
+    assert "The linear solver goes on with factors: multigrid takes more than 11 " \
+           "iterations." in run.log
+    equal(factors.segments(), run.segments(), 1e-8)
