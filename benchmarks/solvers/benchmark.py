@@ -17,8 +17,10 @@ from lumbricus_run import SOURCE, run
 
 SEGMENT = SOURCE / "tests" / "physics" / "segment.prm"
 PATTERN = re.compile(
-    r"rank: (\d+) MB; (\d+) factorisations in ([\d.]+) s, (\d+) linear iterations "
-    r"in ([\d.]+) s, (\d+) solves with at most (\d+)")
+    r"linear solver +[\d.]+ +\d+% +(\d+)\n"
+    r" +factorisation +([\d.]+) +\d+% +(\d+)\n"
+    r" +iterations +([\d.]+) +\d+% +(\d+), at most (\d+) in a solve\n"
+    r"(?:.*\n)*?Peak memory of the largest rank: (\d+) MB")
 SLIP = ["Interface/Coupling=slip"]
 HANGING = ["Mesh/Global refinements=1", "Mesh/Local refinements=1",
            "Mesh/Refine where=x-1.5"]
@@ -53,7 +55,7 @@ def row(name, settings, method="multigrid", ranks=1):
         print(f"| {name} | {unknowns.group(1) if unknowns else ''} | {method} "
               "| fails | | | | |", flush=True)
         return
-    megabytes, factors, factor_s, iterations, solve_s, solves, most = (
+    solves, factor_s, factors, solve_s, iterations, most, megabytes = (
         float(group) for group in found.groups())
     print(f"| {name} | {unknowns.group(1)} | {method} | {iterations / solves:.1f} "
           f"| {most:.0f} | {factor_s / factors:.2f} | {solve_s / iterations:.3f} "

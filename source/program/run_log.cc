@@ -88,7 +88,8 @@ namespace lumbricus
             row("  factorisation", statistics.factor_seconds);
             table << std::setw(8) << statistics.n_factorisations << "\n";
             row("  iterations", statistics.solve_seconds);
-            table << std::setw(8) << statistics.n_iterations << "\n";
+            table << std::setw(8) << statistics.n_iterations << ", at most "
+                  << statistics.most_iterations << " in a solve\n";
           }
       }
     row("total", total);
