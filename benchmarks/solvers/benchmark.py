@@ -19,8 +19,9 @@ SEGMENT = SOURCE / "tests" / "physics" / "segment.prm"
 PATTERN = re.compile(
     r"linear solver +[\d.]+ +\d+% +(\d+)\n"
     r" +factorisation +([\d.]+) +\d+% +(\d+)\n"
-    r" +iterations +([\d.]+) +\d+% +(\d+), at most (\d+) in a solve\n"
-    r"(?:.*\n)*?Peak memory of the largest rank: (\d+) MB")
+    r" +iterations +([\d.]+) +\d+% +(\d+)\n"
+    r"(?:.*\n)*?Peak memory of the largest rank: (\d+) MB.\n"
+    r"Most iterations of a linear solve: (\d+)")
 SLIP = ["Interface/Coupling=slip"]
 HANGING = ["Mesh/Global refinements=1", "Mesh/Local refinements=1",
            "Mesh/Refine where=x-1.5"]
@@ -55,7 +56,7 @@ def row(name, settings, method="multigrid", ranks=1):
         print(f"| {name} | {unknowns.group(1) if unknowns else ''} | {method} "
               "| fails | | | | |", flush=True)
         return
-    solves, factor_s, factors, solve_s, iterations, most, megabytes = (
+    solves, factor_s, factors, solve_s, iterations, megabytes, most = (
         float(group) for group in found.groups())
     print(f"| {name} | {unknowns.group(1)} | {method} | {iterations / solves:.1f} "
           f"| {most:.0f} | {factor_s / factors:.2f} | {solve_s / iterations:.3f} "

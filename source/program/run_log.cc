@@ -88,8 +88,7 @@ namespace lumbricus
             row("  factorisation", statistics.factor_seconds);
             table << std::setw(8) << statistics.n_factorisations << "\n";
             row("  iterations", statistics.solve_seconds);
-            table << std::setw(8) << statistics.n_iterations << ", at most "
-                  << statistics.most_iterations << " in a solve\n";
+            table << std::setw(8) << statistics.n_iterations << "\n";
           }
       }
     row("total", total);
@@ -98,7 +97,8 @@ namespace lumbricus
     dealii::Utilities::System::get_memory_stats(memory);
     const double most = dealii::Utilities::MPI::max(memory.VmHWM / 1024., comm);
     table << "\nPeak memory of the largest rank: " << std::setprecision(0)
-          << most << " MB.\n";
+          << most << " MB.\nMost iterations of a linear solve: "
+          << statistics.most_iterations << ".\n";
     log << table.str();
   }
 } // namespace lumbricus
