@@ -42,7 +42,12 @@ namespace lumbricus
 
         std::vector<Index> known = of_cells;
         for (const auto &[line, entries] : constrained)
-          known.push_back(line);
+          {
+            known.push_back(line);
+            // Beyond the interface, which the rank may have no cell of.
+            for (const auto &entry : entries)
+              known.push_back(entry.first);
+          }
         std::sort(known.begin(), known.end());
         AssertThrow(known.empty() || known.back() < n_unknowns,
                     dealii::ExcInternalError());
