@@ -19,6 +19,17 @@ namespace lumbricus
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
     }
+
+
+
+    // Found by where the ranks' stretches begin; of stretches that begin at the
+    // same place all but the last are empty.
+    unsigned int
+    owner(const std::vector<Index> &firsts, const Index index)
+    {
+      return std::upper_bound(firsts.begin(), firsts.end(), index) -
+             firsts.begin() - 1;
+    }
   } // namespace
 
 
@@ -36,11 +47,6 @@ namespace lumbricus
     const auto firsts =
       dealii::Utilities::MPI::all_gather(comm,
                                          partitioner->local_range().first);
-    const auto owner = [&](const Index index) {
-      return static_cast<unsigned int>(
-        std::upper_bound(firsts.begin(), firsts.end(), index) - firsts.begin() -
-        1);
-    };
 
     // Cells with rows that other ranks own go to these too.
     std::vector<std::vector<Index>>            cells;
@@ -54,7 +60,7 @@ namespace lumbricus
           {
             indices.push_back(partitioner->local_to_global(place));
             if (place >= partitioner->locally_owned_size())
-              others.insert(owner(indices.back()));
+              others.insert(owner(firsts, indices.back()));
           }
         receivers[i].assign(others.begin(), others.end());
         for (const unsigned int rank : others)
@@ -151,16 +157,12 @@ namespace lumbricus
                              const Index                      first,
                              std::vector<std::vector<Index>> &rows)
   {
-    // The owner of a row is found by where the ranks' stretches begin; of
-    // stretches that begin at the same place all but the last are empty.
     std::map<unsigned int, std::vector<Index>> requests, replies;
     first_copy_from.clear();
     rows_for.clear();
     for (unsigned int k = 0; k < wanted.size(); ++k)
       {
-        const unsigned int rank =
-          std::upper_bound(firsts.begin(), firsts.end(), wanted[k]) -
-          firsts.begin() - 1;
+        const unsigned int rank = owner(firsts, wanted[k]);
         first_copy_from.emplace(rank, rows.size() + k);
         requests[rank].push_back(wanted[k]);
       }

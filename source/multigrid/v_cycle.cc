@@ -315,18 +315,4 @@ namespace lumbricus
     // time of about ten cycles.
     return 10.;
   }
-
-
-
-  std::size_t
-  VCycle::memory() const
-  {
-    std::size_t bytes = 0;
-    for (const auto &on : smoothed)
-      if (on != nullptr)
-        bytes += on->matrix.memory() + on->smoother.memory();
-    for (const auto &matrices : coarse_matrices)
-      bytes += matrices.size() * n_per_cell * n_per_cell * sizeof(double);
-    return bytes;
-  }
 } // namespace lumbricus

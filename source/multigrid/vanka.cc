@@ -188,15 +188,4 @@ namespace lumbricus
         entries[touched[k]] = before[k];
     x.compress(dealii::VectorOperation::add);
   }
-
-
-
-  std::size_t
-  Vanka::memory() const
-  {
-    std::size_t bytes = 0;
-    for (const Patch &patch : patches)
-      bytes += patch.inverse.size() * sizeof(float);
-    return bytes;
-  }
 } // namespace lumbricus

@@ -95,12 +95,6 @@ namespace lumbricus
       return of_cell[i];
     }
 
-    std::size_t
-    memory() const
-    {
-      return values.size() * (sizeof(float) + sizeof(unsigned int));
-    }
-
   private:
     /** Append to the columns of the owned rows, in global numbers, those of the
      * rows @p wanted from their owners; @p firsts are the ranks' first rows. */

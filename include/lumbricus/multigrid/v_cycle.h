@@ -87,10 +87,6 @@ namespace lumbricus
       return coarse_matrices[l][i];
     }
 
-    /** Bytes of the matrices and inverses on this rank. */
-    std::size_t
-    memory() const;
-
   private:
     /** What is needed on a level above the coarsest. */
     struct Smoothed

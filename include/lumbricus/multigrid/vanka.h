@@ -50,9 +50,6 @@ namespace lumbricus
           const bool        backward,
           const bool        x_is_zero) const;
 
-    std::size_t
-    memory() const;
-
   private:
     struct Patch
     {
