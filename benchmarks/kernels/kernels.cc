@@ -120,7 +120,7 @@ namespace
                    neo_hooke});
     all.push_back({"liquid, Neo-Hooke",
                    make_law("Neo-Hooke"),
-                   rest_shape_map(F_r, ResetMode::isochoric),
+                   rest_shape_map(F_r, F_r),
                    neo_hooke});
     return all;
   }

@@ -18,13 +18,14 @@ namespace lumbricus
     using Values       = std::vector<double>;
     using CellIterator = dealii::Triangulation<dim>::cell_iterator;
 
-    // Where u and u_ref, six scalars, and p begin in a CellState.
+    // Where the nine scalars of u, u_ref and u_vol begin in a CellState.
     std::vector<unsigned int>
     scalars()
     {
       std::vector<unsigned int> begins;
       for (unsigned int c = 0; c < dim; ++c)
-        for (const unsigned int begin : {0u, CellState::rest_begin})
+        for (const unsigned int begin :
+             {0u, CellState::rest_begin, CellState::volume_begin})
           begins.push_back(begin + c * MixedSpace::n_nodes);
       return begins;
     }
@@ -97,19 +98,13 @@ namespace lumbricus
     std::vector<Values>
     read_all(const MixedSpace &space, const State &state)
     {
-      Vector relevant(space.locally_owned,
-                      space.locally_relevant,
-                      space.communicator());
-      relevant = state.solution;
+      const Vector relevant = space.with_ghosts(state.solution);
 
       std::vector<Values> values(space.triangulation.n_active_cells());
       CellStateAccess     access(space);
       for (const auto &cell : space.dof_handler.active_cell_iterators() |
                                 dealii::IteratorFilters::LocallyOwnedCell())
-        access.read(cell,
-                    relevant,
-                    state.rest_displacement,
-                    values[cell->active_cell_index()]);
+        access.read(cell, relevant, state, values[cell->active_cell_index()]);
       return values;
     }
 
@@ -127,8 +122,7 @@ namespace lumbricus
       for (const auto &cell : space.dof_handler.active_cell_iterators() |
                                 dealii::IteratorFilters::LocallyOwnedCell())
         access.write(cell, values[cell->active_cell_index()], state);
-      state.solution.compress(dealii::VectorOperation::insert);
-      state.rest_displacement.compress(dealii::VectorOperation::insert);
+      state.compress();
     }
 
 

@@ -374,8 +374,7 @@ namespace lumbricus
           }
         begin = end;
       }
-    state.solution.compress(dealii::VectorOperation::insert);
-    state.rest_displacement.compress(dealii::VectorOperation::insert);
+    state.compress();
 
     const std::string wrong =
       n_read == n_owned && begin == n_cells ?

@@ -123,10 +123,7 @@ namespace lumbricus
   void
   CellFields::update(const Vector &solution)
   {
-    Vector relevant(space.locally_owned,
-                    space.locally_relevant,
-                    space.communicator());
-    relevant = solution;
+    const Vector relevant = space.with_ghosts(solution);
     Vector owned(fields_dof_handler.locally_owned_dofs(), space.communicator());
 
     ElementKernel                                kernel;

@@ -16,7 +16,7 @@ namespace lumbricus
   CellStateAccess::read(
     const dealii::DoFHandler<dim>::active_cell_iterator &cell,
     const Vector                                        &relevant_solution,
-    const Vector                                        &rest_displacement,
+    const State                                         &state,
     std::vector<double>                                 &values)
   {
     get_indices(cell);
@@ -27,9 +27,11 @@ namespace lumbricus
         *value++ = relevant_solution(indices[i]);
     for (const unsigned int i : space.pressure_dof)
       *value++ = relevant_solution(indices[i]);
-    for (const auto &component : space.rest_dof)
-      for (const unsigned int i : component)
-        *value++ = rest_displacement(rest_indices[i]);
+    for (const Vector *vector :
+         {&state.rest_displacement, &state.volume_displacement})
+      for (const auto &component : space.rest_dof)
+        for (const unsigned int i : component)
+          *value++ = (*vector)(rest_indices[i]);
   }
 
 
@@ -53,9 +55,11 @@ namespace lumbricus
         set(indices[i]);
     for (const unsigned int i : space.pressure_dof)
       set(indices[i]);
-    for (const auto &component : space.rest_dof)
-      for (const unsigned int i : component)
-        state.rest_displacement(rest_indices[i]) = *value++;
+    for (Vector *vector :
+         {&state.rest_displacement, &state.volume_displacement})
+      for (const auto &component : space.rest_dof)
+        for (const unsigned int i : component)
+          (*vector)(rest_indices[i]) = *value++;
   }
 
 

@@ -114,9 +114,20 @@ namespace lumbricus
   {
     State state;
     state.solution.reinit(locally_owned, communicator());
-    state.rest_displacement.reinit(rest_dof_handler.locally_owned_dofs(),
-                                   communicator());
+    for (Vector *vector :
+         {&state.rest_displacement, &state.volume_displacement})
+      vector->reinit(rest_dof_handler.locally_owned_dofs(), communicator());
     return state;
+  }
+
+
+
+  Vector
+  MixedSpace::with_ghosts(const Vector &solution) const
+  {
+    Vector relevant(locally_owned, locally_relevant, communicator());
+    relevant = solution;
+    return relevant;
   }
 
 

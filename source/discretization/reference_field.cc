@@ -36,12 +36,10 @@ namespace lumbricus
 
   ReferenceField::ReferenceField(const MixedSpace &space,
                                  const ShapeCache &shapes,
-                                 const Anatomy    &anatomy,
-                                 const ResetMode   mode)
+                                 const Anatomy    &anatomy)
     : space(space)
     , shapes(shapes)
     , anatomy(anatomy)
-    , mode(mode)
   {}
 
 
@@ -89,9 +87,9 @@ namespace lumbricus
 
 
   void
-  ReferenceField::update_liquid(const Vector &rest_displacement)
+  ReferenceField::update_liquid(const State &state)
   {
-    ElementKernel                                kernel;
+    ElementKernel                                rest, volume;
     std::vector<dealii::types::global_dof_index> indices(
       space.rest_fe.n_dofs_per_cell());
     unsigned int index = 0;
@@ -104,10 +102,15 @@ namespace lumbricus
         cell->get_dof_indices(indices);
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-            kernel.u[c][n] = rest_displacement[indices[space.rest_dof[c][n]]];
-        kernel.compute_deformation(shapes.cell(i));
+            {
+              const auto index = indices[space.rest_dof[c][n]];
+              rest.u[c][n]     = state.rest_displacement[index];
+              volume.u[c][n]   = state.volume_displacement[index];
+            }
+        rest.compute_deformation(shapes.cell(i));
+        volume.compute_deformation(shapes.cell(i));
         for (unsigned int q = 0; q < n_q; ++q)
-          points[i * n_q + q] = rest_shape_map(kernel.F[q], mode);
+          points[i * n_q + q] = rest_shape_map(rest.F[q], volume.F[q]);
       }
   }
 
@@ -117,7 +120,7 @@ namespace lumbricus
   ReferenceField::update(const State &state)
   {
     update_muscles(state.time);
-    update_liquid(state.rest_displacement);
+    update_liquid(state);
   }
 
 

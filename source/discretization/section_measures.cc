@@ -53,18 +53,13 @@ namespace lumbricus
   std::vector<SectionMeasures>
   section_measures(const MixedSpace &space,
                    const Anatomy    &anatomy,
-                   const Vector     &solution)
+                   const Vector     &relevant_solution)
   {
     const Geometry &geometry   = anatomy.geometry();
     const auto      sections   = geometry.sections();
     const auto      tissues    = geometry.tissues();
     const double    tolerance  = 1e-9 * geometry.characteristic_length();
     const bool      has_liquid = anatomy.has_liquid();
-
-    Vector relevant(space.locally_owned,
-                    space.locally_relevant,
-                    space.communicator());
-    relevant = solution;
 
     dealii::FEFaceValues<dim> face_values(space.mapping,
                                           space.fe,
@@ -105,7 +100,7 @@ namespace lumbricus
             face_values.reinit(mesh_cell(cell), face);
             cell->get_dof_indices(indices);
             for (unsigned int i = 0; i < n_dofs; ++i)
-              cell_solution[i] = relevant(indices[i]);
+              cell_solution[i] = relevant_solution(indices[i]);
             const auto &displacement = face_values[space.displacement];
             displacement.get_function_values_from_local_dof_values(
               cell_solution, u);

@@ -33,13 +33,8 @@ namespace lumbricus
                  const ShapeCache     &shapes,
                  const Anatomy        &anatomy,
                  const ReferenceField &references,
-                 const Vector         &solution)
+                 const Vector         &relevant_solution)
   {
-    Vector relevant(space.locally_owned,
-                    space.locally_relevant,
-                    space.communicator());
-    relevant = solution;
-
     std::vector<SegmentState> states(anatomy.geometry().n_segments());
     ElementKernel             kernel;
     MaterialResponse          response;
@@ -54,7 +49,7 @@ namespace lumbricus
         const bool         liquid = anatomy.is_liquid(region.tissue);
         SegmentState      &state  = states[region.segment];
 
-        kernel.read(space, cell, relevant, indices);
+        kernel.read(space, cell, relevant_solution, indices);
         kernel.compute_deformation(shapes.cell(i));
         for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
           {

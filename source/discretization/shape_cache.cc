@@ -49,17 +49,29 @@ namespace lumbricus
     gradients.resize(n_cells * cell_stride, 0.);
     JxW.resize(n_cells * n_q);
     points.resize(n_cells * n_q);
+    nodes.resize(n_cells * n_nodes);
 
-    dealii::FEValues<dim> fe_values(space.mapping,
+    dealii::FEValues<dim>           fe_values(space.mapping,
                                     space.fe,
                                     space.quadrature,
                                     dealii::update_gradients |
                                       dealii::update_JxW_values |
                                       dealii::update_quadrature_points);
+    std::vector<dealii::Point<dim>> unit_nodes;
+    for (unsigned int n = 0; n < n_nodes; ++n)
+      unit_nodes.push_back(
+        space.fe.unit_support_point(space.displacement_dof[0][n]));
+    dealii::FEValues<dim> at_nodes(space.mapping,
+                                   space.fe,
+                                   dealii::Quadrature<dim>(unit_nodes),
+                                   dealii::update_quadrature_points);
     unsigned int          i = 0;
     for (const auto &cell : owned_cells)
       {
         fe_values.reinit(cell);
+        at_nodes.reinit(cell);
+        for (unsigned int n = 0; n < n_nodes; ++n)
+          nodes[i * n_nodes + n] = at_nodes.quadrature_point(n);
         for (unsigned int q = 0; q < n_q; ++q)
           {
             JxW[i * n_q + q]    = fe_values.JxW(q);
@@ -110,6 +122,14 @@ namespace lumbricus
                                const unsigned int q) const
   {
     return points[owned_index * n_q + q];
+  }
+
+
+
+  const dealii::Point<dim> &
+  ShapeCache::node(const unsigned int owned_index, const unsigned int n) const
+  {
+    return nodes[owned_index * n_nodes + n];
   }
 
 

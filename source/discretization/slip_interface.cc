@@ -200,10 +200,7 @@ namespace lumbricus
   {
     constexpr unsigned int n_nodes = MixedSpace::n_nodes;
 
-    Vector relevant(space.locally_owned,
-                    space.locally_relevant,
-                    space.communicator());
-    relevant = solution;
+    const Vector                   relevant = space.with_ghosts(solution);
     std::array<Vector, n_surfaces> sum;
     for (Vector &component : sum)
       component.reinit(space.locally_owned, space.communicator());

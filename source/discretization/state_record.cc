@@ -37,17 +37,14 @@ namespace lumbricus
   void
   write_cells(const MixedSpace &space, const State &state, std::ostream &out)
   {
-    Vector solution(space.locally_owned,
-                    space.locally_relevant,
-                    space.communicator());
-    solution = state.solution;
+    const Vector solution = space.with_ghosts(state.solution);
 
     CellStateAccess     access(space);
     std::vector<double> values;
     for (const auto &cell : space.dof_handler.active_cell_iterators() |
                               dealii::IteratorFilters::LocallyOwnedCell())
       {
-        access.read(cell, solution, state.rest_displacement, values);
+        access.read(cell, solution, state, values);
         const CellKey key = cell_key(cell);
         write_bits(out, key.data(), key.size());
         write_bits(out, values.data(), values.size());

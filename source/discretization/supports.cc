@@ -303,10 +303,7 @@ namespace lumbricus
   double
   Supports::set_increments(const Vector &solution, const double t)
   {
-    Vector relevant(space.locally_owned,
-                    space.locally_relevant,
-                    space.communicator());
-    relevant = solution;
+    const Vector relevant = space.with_ghosts(solution);
 
     double largest = 0.;
     for (const Prescribed &entry : prescribed)

@@ -44,7 +44,10 @@ namespace lumbricus
                 "wall_volume",
                 "fluid_pressure",
                 "eta",
-                "resets"},
+                "resets",
+                "fluid_mesh_quality",
+                "wall_mesh_quality",
+                "relaxed"},
                space.communicator())
     , resets(folder,
              "resets.csv",
@@ -175,10 +178,12 @@ namespace lumbricus
   ResetIteration::Solve
   Results::at_rest(const State &state) const
   {
+    const Vector          relevant = space.with_ghosts(state.solution);
     ResetIteration::Solve solve;
     solve.segments =
-      segment_states(space, shapes, anatomy, references, state.solution);
-    solve.measures = section_measures(space, anatomy, state.solution);
+      segment_states(space, shapes, anatomy, references, relevant);
+    solve.measures  = section_measures(space, anatomy, relevant);
+    solve.qualities = mesh_qualities(space, shapes, anatomy, &relevant);
     solve.divergence.assign(solve.segments.size(), 0.);
     return solve;
   }
@@ -199,7 +204,9 @@ namespace lumbricus
           n_resets += report->solves.empty() ? 0 : report->n_resets[s];
         segments << state.time << s + 1;
         add_segment(segments, solve, s);
-        segments << n_resets;
+        segments << n_resets << solve.qualities[s].liquid
+                 << solve.qualities[s].wall
+                 << (!step.relaxed.empty() && step.relaxed[s]);
         segments.end_row();
       }
     segments.flush();

@@ -12,10 +12,7 @@ namespace lumbricus
     , triangulation(comm)
     , space(triangulation)
     , shapes(space)
-    , references(space,
-                 shapes,
-                 parameters.anatomy,
-                 parameters.reset_iteration.mode())
+    , references(space, shapes, parameters.anatomy)
     , supports(space,
                parameters.anatomy,
                parameters.interface_coupling,
@@ -98,6 +95,16 @@ namespace lumbricus
                                             shapes,
                                             parameters.anatomy,
                                             timer);
+  }
+
+
+
+  LiquidMesh::Relaxation
+  ChainModel::relax_liquid_mesh(State &state)
+  {
+    dealii::TimerOutput::Scope scope(timer, "liquid's mesh");
+    return parameters.reset_iteration.relax_mesh(
+      state, space, shapes, parameters.anatomy, assembler.tangent().unknowns);
   }
 
 

@@ -230,6 +230,13 @@ namespace lumbricus
   {
     LoadStepping &stepping = parameters.load_stepping;
     StepRecord    step;
+
+    const auto relaxation = model.relax_liquid_mesh(state);
+    if (!relaxation.in_segment.empty())
+      {
+        step.relaxed = relaxation.in_segment;
+        parameters.predictor.shift(relaxation.change);
+      }
     while (true)
       try
         {

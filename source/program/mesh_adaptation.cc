@@ -3,6 +3,7 @@
 #include <lumbricus/adaptivity/state_transfer.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
+#include <lumbricus/discretization/rest_volume.h>
 #include <lumbricus/discretization/state_record.h>
 #include <lumbricus/program/mesh_adaptation.h>
 
@@ -45,8 +46,7 @@ namespace lumbricus
             std::istringstream in(of_rank);
             read_cells(model.space, in, state);
           }
-        state.solution.compress(dealii::VectorOperation::insert);
-        state.rest_displacement.compress(dealii::VectorOperation::insert);
+        state.compress();
       }
 
       const std::set<CellKey> refined;
@@ -125,7 +125,10 @@ namespace lumbricus
     void
     change_mesh(ChainModel &model, State &state)
     {
-      const IsSlipInterface slips = model.is_slip_interface();
+      const IsSlipInterface slips   = model.is_slip_interface();
+      const Anatomy        &anatomy = model.parameters.anatomy;
+      const auto            volumes =
+        rest_volumes(model.space, model.shapes, anatomy, state);
       do
         change_mesh(
           model.triangulation,
@@ -136,6 +139,8 @@ namespace lumbricus
         return coarser_across_interface(cell, slips);
       }));
       model.reinit();
+      // Where cells were merged, the liquid's stress-free shape is another one.
+      set_rest_volumes(volumes, model.space, model.shapes, anatomy, state);
     }
   } // namespace
 

@@ -6,12 +6,12 @@
 namespace lumbricus
 {
   ReferencePoint
-  rest_shape_map(const dealii::Tensor<2, dim> &F_r, const ResetMode mode)
+  rest_shape_map(const dealii::Tensor<2, dim> &F_r,
+                 const dealii::Tensor<2, dim> &F_v)
   {
-    const double   J_r = determinant(F_r);
     ReferencePoint reference;
-    reference.G_inverse = std::cbrt(J_r) * invert(F_r);
-    reference.J_v       = (mode == ResetMode::full) ? J_r : 1.;
+    reference.G_inverse = std::cbrt(determinant(F_r)) * invert(F_r);
+    reference.J_v       = determinant(F_v);
     return reference;
   }
 } // namespace lumbricus

@@ -39,6 +39,15 @@ namespace lumbricus
 
 
 
+  void
+  Predictor::shift(const Vector &change)
+  {
+    for (auto &[t, u] : history)
+      u += change;
+  }
+
+
+
   bool
   Predictor::ready() const
   {

@@ -16,7 +16,7 @@ namespace lumbricus
   {
     prm.enter_subsection("Reset");
     prm.add_parameter("Mode",
-                      mode_name,
+                      mode,
                       "What a reset of the liquid forgets. 'isochoric': its "
                       "shape. 'full': its shape and its volume change, as in "
                       "the paper, so that for nu < 0.5 volume is lost.",
@@ -42,6 +42,7 @@ namespace lumbricus
                       "takes its place in the divergence.",
                       PositiveNumber());
     prm.leave_subsection();
+    liquid_mesh.declare_parameters(prm);
   }
 
 
@@ -57,10 +58,16 @@ namespace lumbricus
 
 
 
-  ResetMode
-  ResetIteration::mode() const
+  LiquidMesh::Relaxation
+  ResetIteration::relax_mesh(State              &state,
+                             const MixedSpace   &space,
+                             const ShapeCache   &shapes,
+                             const Anatomy      &anatomy,
+                             const CellUnknowns &unknowns) const
   {
-    return mode_name == "full" ? ResetMode::full : ResetMode::isochoric;
+    if (limit == 0)
+      return {};
+    return liquid_mesh.relax(space, shapes, anatomy, unknowns, state);
   }
 
 
@@ -85,9 +92,11 @@ namespace lumbricus
         solve.newton = newton.solve(equilibrium, state.solution);
 
         dealii::TimerOutput::Scope scope(timer, "reset");
+        const Vector               relevant = space.with_ghosts(state.solution);
         solve.segments =
-          segment_states(space, shapes, anatomy, references, state.solution);
-        solve.measures = section_measures(space, anatomy, state.solution);
+          segment_states(space, shapes, anatomy, references, relevant);
+        solve.measures  = section_measures(space, anatomy, relevant);
+        solve.qualities = mesh_qualities(space, shapes, anatomy, &relevant);
         for (const SegmentState &segment : solve.segments)
           solve.divergence.push_back(segment.divergence(pressure_floor));
         report.solves.push_back(solve);
@@ -107,7 +116,7 @@ namespace lumbricus
           diverges.assign(n_segments, true);
 
         reset(state, diverges, space, anatomy);
-        references.update_liquid(state.rest_displacement);
+        references.update_liquid(state);
         equilibrium.renew_interface(state.solution);
         for (unsigned int s = 0; s < n_segments; ++s)
           report.n_resets[s] += diverges[s];
@@ -160,11 +169,8 @@ namespace lumbricus
                         const MixedSpace        &space,
                         const Anatomy           &anatomy) const
   {
-    Vector relevant(space.locally_owned,
-                    space.locally_relevant,
-                    space.communicator());
-    relevant = state.solution;
-
+    const Vector relevant       = space.with_ghosts(state.solution);
+    const bool   forgets_volume = mode == "full";
     std::vector<dealii::types::global_dof_index> indices(
       space.fe.n_dofs_per_cell());
     std::vector<dealii::types::global_dof_index> rest_indices(
@@ -179,9 +185,14 @@ namespace lumbricus
         same_cell(cell, space.rest_dof_handler)->get_dof_indices(rest_indices);
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-            state.rest_displacement(rest_indices[space.rest_dof[c][n]]) =
-              relevant(indices[space.displacement_dof[c][n]]);
+            {
+              const double u = relevant(indices[space.displacement_dof[c][n]]);
+              const auto   index = rest_indices[space.rest_dof[c][n]];
+              state.rest_displacement(index) = u;
+              if (forgets_volume)
+                state.volume_displacement(index) = u;
+            }
       }
-    state.rest_displacement.compress(dealii::VectorOperation::insert);
+    state.compress();
   }
 } // namespace lumbricus

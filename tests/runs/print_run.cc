@@ -67,9 +67,10 @@ main(int argc, char *argv[])
       std::cout.rdbuf(terminal);
       if (first)
         {
-          // eta and the number of resets depend on the tolerance of the resets;
+          // eta and the resets depend on their tolerance, the last columns tell
+          // of the mesh;
           // J is 1 but for the coarseness of the mesh.
-          print_table("results/segments.csv", 6, 2);
+          print_table("results/segments.csv", 6, 5);
           if (std::ifstream("results/points.csv"))
             print_table("results/points.csv", 8, 1);
         }

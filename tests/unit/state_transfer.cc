@@ -68,13 +68,14 @@ namespace
               values[c * MixedSpace::n_nodes + n] = noise(X, c);
               values[CellState::rest_begin + c * MixedSpace::n_nodes + n] =
                 noise(X, c + dim);
+              values[CellState::volume_begin + c * MixedSpace::n_nodes + n] =
+                noise(X, c + 2 * dim);
             }
         for (unsigned int m = 0; m < MixedSpace::n_pressure_modes; ++m)
           values[CellState::pressure_begin + m] = noise(cell->center(), m);
         access.write(cell, values, state);
       });
-      state.solution.compress(dealii::VectorOperation::insert);
-      state.rest_displacement.compress(dealii::VectorOperation::insert);
+      state.compress();
     }
 
     template <typename Function>
@@ -91,10 +92,7 @@ namespace
     double
     integral() const
     {
-      Vector relevant(space.locally_owned,
-                      space.locally_relevant,
-                      space.communicator());
-      relevant = state.solution;
+      const Vector              relevant = space.with_ghosts(state.solution);
       const dealii::FE_Q<dim>   q2(MixedSpace::degree);
       const dealii::QGauss<dim> quadrature(6);
       dealii::FEValues<dim>     shape(space.mapping,
@@ -106,7 +104,7 @@ namespace
       std::vector<double>       values;
       double                    sum = 0.;
       for_each_cell([&](const auto &cell) {
-        access.read(cell, relevant, state.rest_displacement, values);
+        access.read(cell, relevant, state, values);
         shape.reinit(dealii::Triangulation<dim>::cell_iterator(cell));
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
@@ -119,15 +117,18 @@ namespace
             double f = p * p;
             for (unsigned int c = 0; c < dim; ++c)
               {
-                double u = 0., u_ref = 0.;
+                double u = 0., u_ref = 0., u_vol = 0.;
                 for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
                   {
                     const double N = shape.shape_value(n, q);
                     u += N * values[c * MixedSpace::n_nodes + n];
                     u_ref += N * values[CellState::rest_begin +
                                         c * MixedSpace::n_nodes + n];
+                    u_vol += N * values[CellState::volume_begin +
+                                        c * MixedSpace::n_nodes + n];
                   }
-                f += (c + 1) * u * u + (c + 4) * u_ref * u_ref + u * u_ref;
+                f += (c + 1) * u * u + (c + 4) * u_ref * u_ref +
+                     (c + 7) * u_vol * u_vol + u * u_ref + u_ref * u_vol;
               }
             sum += f * shape.JxW(q);
           }
@@ -176,8 +177,8 @@ TEST_P(StateTransfer, RefinementChangesNoFunction)
 
 TEST_P(StateTransfer, MergingUndoesRefinement)
 {
-  const Vector before = state.solution, rest_before = state.rest_displacement;
-  const auto   refined = refined_cells(triangulation);
+  const State before  = state;
+  const auto  refined = refined_cells(triangulation);
   refine_some();
   for (const auto &cell : triangulation.active_cell_iterators())
     if (cell->is_locally_owned() && cell->level() > 0)
@@ -186,10 +187,12 @@ TEST_P(StateTransfer, MergingUndoesRefinement)
   ASSERT_EQ(refined_cells(triangulation), refined);
 
   // Unknowns may be numbered anew, but norms do not care.
-  EXPECT_NEAR(state.solution.l2_norm() / before.l2_norm(), 1., 1e-14);
-  EXPECT_NEAR(state.rest_displacement.l2_norm() / rest_before.l2_norm(),
-              1.,
-              1e-14);
+  for (const auto vector : {&State::solution,
+                            &State::rest_displacement,
+                            &State::volume_displacement})
+    EXPECT_NEAR((state.*vector).l2_norm() / (before.*vector).l2_norm(),
+                1.,
+                1e-14);
 }
 
 

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The linearisation of equilibrium as an operator, as matrices of cells, and
 // as what the linear solvers solve: against finite differences and each other.
-#include <lumbricus/core/parameter_file.h>
-#include <lumbricus/program/chain_model.h>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <iostream>
 #include <string>
 
 #include "read_plugin.h"
+#include "specimen.h"
 
 using namespace lumbricus;
 
@@ -75,24 +71,12 @@ end
 
   // A closed segment with hanging nodes, a muscle and liquid, in a state that
   // is no equilibrium.
-  class Body
+  class Body : public Specimen
   {
   public:
     explicit Body(const std::string &text)
-      : timer(std::cout,
-              dealii::TimerOutput::never,
-              dealii::TimerOutput::wall_times)
+      : Specimen(text)
     {
-      const auto        rank = dealii::Utilities::MPI::this_mpi_process(comm);
-      const std::string name = "tangent." + std::to_string(rank) + ".prm";
-      std::ofstream(name) << text;
-      ParameterFile file;
-      file.read(name);
-      file.parse(parameters);
-      parameters.initialize();
-      model = std::make_unique<ChainModel>(parameters, timer, comm);
-      model->create(nullptr);
-      state      = model->space.initial_state();
       state.time = 0.5;
       model->references.update(state);
       model->equilibrium.set_time(state.time, state.solution);
@@ -100,19 +84,6 @@ end
       // stiffness of the liquid, which is no state that a run comes to.
       x = random(0.001, 1);
       state.solution.add(1., x);
-    }
-
-    // A vector that obeys the constraints, the same on any number of ranks.
-    Vector
-    random(const double size, const unsigned int seed) const
-    {
-      const auto &space = model->space;
-      Vector      v(space.locally_owned, comm);
-      for (const auto i : space.locally_owned)
-        v(i) = size * std::sin(1. + 12.9898 * i + 78.233 * seed);
-      v.compress(dealii::VectorOperation::insert);
-      model->supports.constraints().distribute(v);
-      return v;
     }
 
     CellVector
@@ -135,12 +106,7 @@ end
       return r;
     }
 
-    const MPI_Comm              comm = MPI_COMM_WORLD;
-    RunParameters               parameters;
-    dealii::TimerOutput         timer;
-    std::unique_ptr<ChainModel> model;
-    State                       state;
-    Vector                      x;
+    Vector x;
   };
 
 

@@ -11,8 +11,8 @@ namespace lumbricus
 
   /**
    * All that a run has to remember, as a value: copy it to roll back.
-   * Only Newton's method writes the solution, only the reset writes
-   * rest_displacement.
+   * Only Newton's method writes the solution, only the reset writes the two
+   * others; a reset that relaxes the liquid's mesh writes all three.
    */
   struct State
   {
@@ -20,8 +20,20 @@ namespace lumbricus
     double time = 0.;
     /** Displacement u [mm] and pressure variable p [N/mm^2], owned entries. */
     Vector solution;
-    /** u_ref [mm]: where the liquid is free of stress; unused elsewhere. */
+    /** u_ref [mm]: where the liquid is free of shear; unused elsewhere. */
     Vector rest_displacement;
+    /** u_vol [mm]: where the liquid has its stress-free volume; zero as long as
+     * that is the volume of the mesh. */
+    Vector volume_displacement;
+
+    /** After entries have been set. Collective. */
+    void
+    compress()
+    {
+      for (Vector *vector :
+           {&solution, &rest_displacement, &volume_displacement})
+        vector->compress(dealii::VectorOperation::insert);
+    }
   };
 } // namespace lumbricus
 

@@ -11,7 +11,8 @@ namespace lumbricus
   /**
    * The state on one cell, as numbers that mean the same on any mesh and any
    * number of ranks: u at the 27 nodes, for one component after the other,
-   * the four modes of p, and u_ref as u. Nodes are in the order of FE_Q(2).
+   * the four modes of p, and u_ref and u_vol as u. Nodes are in the order of
+   * FE_Q(2).
    */
   struct CellState
   {
@@ -19,7 +20,8 @@ namespace lumbricus
     static constexpr unsigned int pressure_begin  = n_displacements;
     static constexpr unsigned int rest_begin =
       n_displacements + MixedSpace::n_pressure_modes;
-    static constexpr unsigned int size = rest_begin + n_displacements;
+    static constexpr unsigned int volume_begin = rest_begin + n_displacements;
+    static constexpr unsigned int size         = volume_begin + n_displacements;
   };
 
 
@@ -30,12 +32,12 @@ namespace lumbricus
   public:
     explicit CellStateAccess(const MixedSpace &space);
 
-    /** Read that of @p cell, an active one of MixedSpace::dof_handler, out of
-     * @p relevant_solution (ghosted) and @p rest_displacement. */
+    /** Read that of @p cell, an active one of MixedSpace::dof_handler: u and p
+     * out of @p relevant_solution (ghosted), the rest out of @p state. */
     void
     read(const dealii::DoFHandler<dim>::active_cell_iterator &cell,
          const Vector                                        &relevant_solution,
-         const Vector                                        &rest_displacement,
+         const State                                         &state,
          std::vector<double>                                 &values);
 
     /** Write @p values to what this rank owns of it in @p state. */

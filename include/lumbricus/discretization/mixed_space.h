@@ -22,8 +22,9 @@ namespace lumbricus
 {
   /**
    * The discrete spaces on the mesh: Q2 displacements and discontinuous P1
-   * pressures (one FESystem), and discontinuous Q2 for the rest displacement
-   * u_ref of the liquid, so that a reset stays in its cell. Q2 mapping.
+   * pressures (one FESystem), and discontinuous Q2 for the rest
+   * displacements u_ref and u_vol of the liquid, so that a reset stays in its
+   * cell. Q2 mapping.
    *
    * On a cell, all of these are addressed by node (0..26, the order of
    * FE_Q(2)) and component, and by pressure mode (0..3).
@@ -64,6 +65,11 @@ namespace lumbricus
     /** A state of rest at time zero. */
     State
     initial_state() const;
+
+    /** @p solution, which has owned entries, with those that the owned cells
+     * need. Collective. */
+    Vector
+    with_ghosts(const Vector &solution) const;
 
     MPI_Comm
     communicator() const;

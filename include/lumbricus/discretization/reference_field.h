@@ -21,8 +21,7 @@ namespace lumbricus
   public:
     ReferenceField(const MixedSpace &space,
                    const ShapeCache &shapes,
-                   const Anatomy    &anatomy,
-                   const ResetMode   mode);
+                   const Anatomy    &anatomy);
 
     /**
      * Compute the fibre directions, after every change of the mesh.
@@ -38,9 +37,9 @@ namespace lumbricus
     void
     update_muscles(const double t);
 
-    /** Set the liquid's rest shape from u_ref. */
+    /** Set the liquid's rest shape and volume. */
     void
-    update_liquid(const Vector &rest_displacement);
+    update_liquid(const State &state);
 
     /** Set all from a state. Throws ExcInput. Collective. */
     void
@@ -62,7 +61,6 @@ namespace lumbricus
     const MixedSpace &space;
     const ShapeCache &shapes;
     const Anatomy    &anatomy;
-    const ResetMode   mode;
 
     std::vector<ReferencePoint>                        points;
     std::vector<std::vector<std::vector<ActiveFibre>>> active_fibres;

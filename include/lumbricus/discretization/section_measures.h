@@ -22,11 +22,12 @@ namespace lumbricus
     double mid_radius;
   };
 
-  /** The measures of every segment at @p solution. Collective. */
+  /** The measures of every segment at @p relevant_solution, a ghosted vector.
+   * Collective. */
   std::vector<SectionMeasures>
   section_measures(const MixedSpace &space,
                    const Anatomy    &anatomy,
-                   const Vector     &solution);
+                   const Vector     &relevant_solution);
 } // namespace lumbricus
 
 #endif

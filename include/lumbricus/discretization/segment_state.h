@@ -35,13 +35,14 @@ namespace lumbricus
     divergence(const double pressure_floor) const;
   };
 
-  /** The integrals of every segment at @p solution. Collective. */
+  /** The integrals of every segment at @p relevant_solution, a ghosted vector.
+   * Collective. */
   std::vector<SegmentState>
   segment_states(const MixedSpace     &space,
                  const ShapeCache     &shapes,
                  const Anatomy        &anatomy,
                  const ReferenceField &references,
-                 const Vector         &solution);
+                 const Vector         &relevant_solution);
 } // namespace lumbricus
 
 #endif

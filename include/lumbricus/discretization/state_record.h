@@ -9,9 +9,9 @@
 namespace lumbricus
 {
   /**
-   * Write u, p and u_ref of the locally owned cells, bit by bit: a key and 85
-   * + 81 numbers a cell, 1.3 kB. Values at nodes that cells share are there
-   * more than once, so that each cell can be read alone. Collective.
+   * Write u, p, u_ref and u_vol of the locally owned cells, bit by bit: a key
+   * and 85 + 162 numbers a cell, 2 kB. Values at nodes that cells share are
+   * there more than once, so that each cell can be read alone. Collective.
    */
   void
   write_cells(const MixedSpace &space, const State &state, std::ostream &out);

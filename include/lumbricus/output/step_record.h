@@ -47,6 +47,9 @@ namespace lumbricus
     unsigned int n_factorisations    = 0;
     double       seconds             = 0.;
     double       elapsed_seconds     = 0.;
+    /** The segments inside whose liquid the mesh was relaxed before it; empty
+     * for none. */
+    std::vector<bool> relaxed;
     /** Of the load step; without solves for the state of rest. */
     ResetIteration::Report report;
     /** The adaptations of the mesh after it. */

@@ -46,6 +46,10 @@ namespace lumbricus
     ResetIteration::Report
     solve(State &state);
 
+    /** Before a load step from @p state: see ResetIteration::relax_mesh(). */
+    LiquidMesh::Relaxation
+    relax_liquid_mesh(State &state);
+
     /** Between which materials liquid slips along the wall. */
     IsSlipInterface
     is_slip_interface() const;

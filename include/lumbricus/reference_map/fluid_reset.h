@@ -6,27 +6,20 @@
 
 namespace lumbricus
 {
-  /** What a reset forgets. */
-  enum class ResetMode
-  {
-    /** The shape; volume and pressure never. */
-    isochoric,
-    /**
-     * Shape and volume, as in the paper ("Coupling of liquid filling and
-     * elastic membrane"): at nu < 0.5 a volume defect accumulates.
-     */
-    full
-  };
-
   /**
-   * The reference map of a rubber fluid that is free of stress in the shape
-   * x = X + u_ref, where F_r = I + Grad u_ref:
+   * The reference map of a rubber fluid that is free of shear in the shape
+   * x = X + u_ref, and has its stress-free volume in the shape x = X + u_vol:
+   * with F_r = I + Grad u_ref and F_v = I + Grad u_vol,
    *
-   *   G = (det F_r)^(-1/3) F_r,
-   *   J_v = 1 (isochoric) or det F_r (full).
+   *   G = (det F_r)^(-1/3) F_r,   J_v = det F_v.
+   *
+   * A reset that forgets the shape only leaves u_vol as it is. One that forgets
+   * the volume as well (paper, "Coupling of liquid filling and elastic
+   * membrane") makes it the same as u_ref.
    */
   ReferencePoint
-  rest_shape_map(const dealii::Tensor<2, dim> &F_r, const ResetMode mode);
+  rest_shape_map(const dealii::Tensor<2, dim> &F_r,
+                 const dealii::Tensor<2, dim> &F_v);
 } // namespace lumbricus
 
 #endif

@@ -31,6 +31,11 @@ namespace lumbricus
     void
     restart(const State &state);
 
+    /** The solution of the last state, and with it all before, is another: by
+     * @p change. */
+    void
+    shift(const Vector &change);
+
     /** Whether there is anything to extrapolate from. */
     bool
     ready() const;

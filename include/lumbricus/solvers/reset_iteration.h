@@ -5,6 +5,7 @@
 #include <lumbricus/discretization/section_measures.h>
 #include <lumbricus/discretization/segment_state.h>
 #include <lumbricus/solvers/equilibrium.h>
+#include <lumbricus/solvers/liquid_mesh.h>
 
 #include <vector>
 
@@ -29,6 +30,7 @@ namespace lumbricus
       std::vector<NewtonIteration> newton;
       std::vector<SegmentState>    segments;
       std::vector<SectionMeasures> measures;
+      std::vector<MeshQuality>     qualities;
       std::vector<double>          divergence;
     };
 
@@ -42,9 +44,6 @@ namespace lumbricus
       n_newton_iterations() const;
     };
 
-    ResetMode
-    mode() const;
-
     /** Solve for @p state at its time. Throws ExcNotConverged. Collective. */
     Report
     solve(State               &state,
@@ -55,6 +54,15 @@ namespace lumbricus
           const ShapeCache    &shapes,
           const Anatomy       &anatomy,
           dealii::TimerOutput &timer) const;
+
+    /** Before a load step from @p state: relax the mesh inside the liquid where
+     * it asks for it, which is a reset too. Collective. */
+    LiquidMesh::Relaxation
+    relax_mesh(State              &state,
+               const MixedSpace   &space,
+               const ShapeCache   &shapes,
+               const Anatomy      &anatomy,
+               const CellUnknowns &unknowns) const;
 
   private:
     /** Make the present shape of the liquid stress-free in some segments. */
@@ -70,11 +78,12 @@ namespace lumbricus
     check_progress(const std::vector<Solve> &solves,
                    const std::vector<bool>  &diverges) const;
 
-    std::string  mode_name      = "isochoric";
+    std::string  mode           = "isochoric";
     double       tolerance      = 1e-3;
     unsigned int least          = 0;
     unsigned int limit          = 40;
     double       pressure_floor = 1e-6;
+    LiquidMesh   liquid_mesh;
   };
 } // namespace lumbricus
 

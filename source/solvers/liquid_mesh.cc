@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/patterns.h>
+#include <lumbricus/discretization/cell_state.h>
+#include <lumbricus/discretization/element_kernel.h>
+#include <lumbricus/discretization/mesh_quality.h>
+#include <lumbricus/discretization/rest_volume.h>
+#include <lumbricus/solvers/harmonic_extension.h>
+#include <lumbricus/solvers/liquid_mesh.h>
+
+#include <deal.II/grid/filtered_iterator.h>
+
+#include <algorithm>
+
+namespace lumbricus
+{
+  namespace
+  {
+    constexpr unsigned int n_nodes = MixedSpace::n_nodes;
+
+    // Of the scaled Jacobian: nothing moves for less.
+    constexpr double least_gain = 1e-6;
+
+    // Call function(cell, owned_index) for the owned cells of liquid of some
+    // segments.
+    template <typename Function>
+    void
+    for_each_cell(const MixedSpace        &space,
+                  const Anatomy           &anatomy,
+                  const std::vector<bool> &in_segment,
+                  const Function          &function)
+    {
+      unsigned int cell_index = 0;
+      for (const auto &cell : space.dof_handler.active_cell_iterators() |
+                                dealii::IteratorFilters::LocallyOwnedCell())
+        {
+          const unsigned int i      = cell_index++;
+          const Region       region = Region::of(cell->material_id());
+          if (anatomy.is_liquid(region.tissue) && in_segment[region.segment])
+            function(cell, i);
+        }
+    }
+
+
+
+    // The mean of p over the stress-free volume of every segment's liquid, so
+    // that a uniform p of this value goes with the same volume.
+    std::vector<double>
+    mean_pressures(const MixedSpace        &space,
+                   const ShapeCache        &shapes,
+                   const Anatomy           &anatomy,
+                   const std::vector<bool> &in_segment,
+                   const Vector            &relevant_solution,
+                   const State             &state)
+    {
+      const unsigned int  n_segments = in_segment.size();
+      std::vector<double> sums(2 * n_segments, 0.);
+      CellStateAccess     access(space);
+      std::vector<double> values;
+      ElementKernel       kernel;
+      for_each_cell(space,
+                    anatomy,
+                    in_segment,
+                    [&](const auto &cell, const unsigned int i) {
+                      access.read(cell, relevant_solution, state, values);
+                      for (unsigned int c = 0; c < dim; ++c)
+                        for (unsigned int n = 0; n < n_nodes; ++n)
+                          kernel.u[c][n] =
+                            values[CellState::volume_begin + c * n_nodes + n];
+                      std::copy_n(&values[CellState::pressure_begin],
+                                  MixedSpace::n_pressure_modes,
+                                  kernel.p);
+                      kernel.compute_deformation(shapes.cell(i));
+                      const unsigned int segment =
+                        Region::of(cell->material_id()).segment;
+                      for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
+                        {
+                          const double J_v_dV =
+                            determinant(kernel.F[q]) * shapes.cell(i).JxW[q];
+                          sums[segment] += J_v_dV;
+                          sums[n_segments + segment] +=
+                            kernel.pressure(shapes.pressure_modes(), q) *
+                            J_v_dV;
+                        }
+                    });
+      dealii::Utilities::MPI::sum(sums, space.communicator(), sums);
+      std::vector<double> means(n_segments, 0.);
+      for (unsigned int s = 0; s < n_segments; ++s)
+        if (in_segment[s])
+          means[s] = sums[n_segments + s] / sums[s];
+      return means;
+    }
+
+
+
+    // The nodes inside the liquid of some segments moved by a correction; the
+    // shape they make then without stress, and the pressure uniform. The volume
+    // of that shape is the stress-free one up to a factor.
+    State
+    relaxed_state(const MixedSpace          &space,
+                  const Anatomy             &anatomy,
+                  const CellUnknowns        &unknowns,
+                  const std::vector<bool>   &in_segment,
+                  const CellVector          &correction,
+                  const std::vector<double> &pressures,
+                  const Vector              &relevant_solution,
+                  const State               &state)
+    {
+      State               relaxed = state;
+      CellStateAccess     access(space);
+      std::vector<double> values, of_cell(CellUnknowns::n_per_cell);
+      const double        constant_mode =
+        space.fe.shape_value(space.pressure_dof[0], dealii::Point<dim>());
+      for_each_cell(space,
+                    anatomy,
+                    in_segment,
+                    [&](const auto &cell, const unsigned int i) {
+                      access.read(cell, relevant_solution, state, values);
+                      unknowns.read_free(i, correction, of_cell.data());
+                      const auto u = values.begin(),
+                                 p = u + CellState::pressure_begin;
+                      for (unsigned int c = 0; c < dim; ++c)
+                        for (unsigned int n = 0; n < n_nodes; ++n)
+                          u[c * n_nodes + n] +=
+                            of_cell[CellUnknowns::displacement(c, n)];
+                      for (const unsigned int begin :
+                           {CellState::rest_begin, CellState::volume_begin})
+                        std::copy_n(u, CellState::n_displacements, u + begin);
+                      std::fill_n(p, MixedSpace::n_pressure_modes, 0.);
+                      *p = pressures[Region::of(cell->material_id()).segment] /
+                           constant_mode;
+                      access.write(cell, values, relaxed);
+                    });
+      relaxed.compress();
+      return relaxed;
+    }
+  } // namespace
+
+
+
+  void
+  LiquidMesh::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Reset");
+    prm.add_parameter("Relax below",
+                      relax_below,
+                      "[-] Before a load step the mesh inside the liquid of a "
+                      "segment is relaxed where its least scaled Jacobian is "
+                      "less than this times what it is at rest; 0: never. With "
+                      "1 the shape of the mesh forgets the way it took, and "
+                      "loads that repeat give results that repeat.",
+                      dealii::Patterns::Double(0., 1.));
+    prm.leave_subsection();
+  }
+
+
+
+  LiquidMesh::Relaxation
+  LiquidMesh::relax(const MixedSpace   &space,
+                    const ShapeCache   &shapes,
+                    const Anatomy      &anatomy,
+                    const CellUnknowns &unknowns,
+                    State              &state) const
+  {
+    if (relax_below == 0. || !anatomy.has_liquid())
+      return {};
+    const Vector before  = space.with_ghosts(state.solution);
+    const auto   quality = mesh_qualities(space, shapes, anatomy, &before);
+    const auto   at_rest = mesh_qualities(space, shapes, anatomy, nullptr);
+
+    Relaxation relaxation;
+    for (unsigned int s = 0; s < quality.size(); ++s)
+      relaxation.in_segment.push_back(quality[s].liquid <
+                                      relax_below * at_rest[s].liquid);
+    const auto any = [&]() {
+      return std::find(relaxation.in_segment.begin(),
+                       relaxation.in_segment.end(),
+                       true) != relaxation.in_segment.end();
+    };
+    if (!any())
+      return {};
+
+    const CellVector correction = harmonic_correction(
+      space, shapes, anatomy, unknowns, before, relaxation.in_segment);
+    const auto pressures = mean_pressures(
+      space, shapes, anatomy, relaxation.in_segment, before, state);
+    const auto relax_them = [&]() {
+      return relaxed_state(space,
+                           anatomy,
+                           unknowns,
+                           relaxation.in_segment,
+                           correction,
+                           pressures,
+                           before,
+                           state);
+    };
+    State        relaxed = relax_them();
+    const Vector after   = space.with_ghosts(relaxed.solution);
+    const auto   better  = mesh_qualities(space, shapes, anatomy, &after);
+    bool         all     = true;
+    for (unsigned int s = 0; s < quality.size(); ++s)
+      if (relaxation.in_segment[s] &&
+          better[s].liquid < std::max(0., quality[s].liquid) + least_gain)
+        relaxation.in_segment[s] = all = false;
+    if (!any())
+      return {};
+    if (!all)
+      relaxed = relax_them();
+
+    set_rest_volumes(rest_volumes(space, shapes, anatomy, state),
+                     space,
+                     shapes,
+                     anatomy,
+                     relaxed);
+    relaxation.change = relaxed.solution;
+    relaxation.change -= state.solution;
+    state = relaxed;
+    return relaxation;
+  }
+} // namespace lumbricus

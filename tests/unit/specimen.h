@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_tests_unit_specimen_h
+#define lumbricus_tests_unit_specimen_h
+
+#include <lumbricus/core/parameter_file.h>
+#include <lumbricus/program/chain_model.h>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+namespace lumbricus
+{
+  /** A body made from the text of a parameter file, at rest. */
+  class Specimen
+  {
+  public:
+    explicit Specimen(const std::string &text)
+      : timer(std::cout,
+              dealii::TimerOutput::never,
+              dealii::TimerOutput::wall_times)
+    {
+      const auto name = std::filesystem::temp_directory_path() /
+                        ("lumbricus." + std::to_string(getpid()) + ".prm");
+      std::ofstream(name) << text;
+      ParameterFile file;
+      file.read(name);
+      std::filesystem::remove(name);
+      file.parse(parameters);
+      parameters.initialize();
+      model = std::make_unique<ChainModel>(parameters, timer, comm);
+      model->create(nullptr);
+      state = model->space.initial_state();
+    }
+
+    /** A vector that obeys the constraints, the same on any number of ranks. */
+    Vector
+    random(const double size, const unsigned int seed) const
+    {
+      const auto &space = model->space;
+      Vector      v(space.locally_owned, comm);
+      for (const auto i : space.locally_owned)
+        v(i) = size * std::sin(1. + 12.9898 * i + 78.233 * seed);
+      v.compress(dealii::VectorOperation::insert);
+      model->supports.constraints().distribute(v);
+      return v;
+    }
+
+    const MPI_Comm              comm = MPI_COMM_WORLD;
+    RunParameters               parameters;
+    dealii::TimerOutput         timer;
+    std::unique_ptr<ChainModel> model;
+    State                       state;
+  };
+} // namespace lumbricus
+
+#endif
