@@ -106,15 +106,12 @@ def main():
           "relative to Lumbricus | uz at the middle of the top (mm) | "
           "difference |\n" + "|---" * 8 + "|")
     for n in options.cells:
-        results = {}
-        for _ in range(options.repeats):
-            for name, solve in solvers.items():
-                result = solve(n, options.set)
-                if name not in results or \
-                        result["seconds"] < results[name]["seconds"]:
-                    results[name] = result
-        ours = results["Lumbricus"]
-        for name, result in results.items():
+        ours = None
+        for name, solve in solvers.items():
+            result = min((solve(n, options.set)
+                          for _ in range(options.repeats)),
+                         key=lambda result: result["seconds"])
+            ours = ours or result
             apart = difference(result, ours)
             print(f"| {n}³ | {result['unknowns']} | {name} | "
                   f"{result['newton_iterations']} | {result['seconds']:.2f} | "

@@ -141,10 +141,7 @@ namespace lumbricus
         std::ostringstream message;
         message << "No solution beyond time " << time
                 << " with steps of 'Time/Smallest step' = " << smallest << ". "
-                << why
-                << ".\nTry a smaller 'Time/Smallest step', a smaller active "
-                   "stretch or load, a stiffer septum or a finer mesh there; "
-                   "a wall that buckles has no solution nearby.";
+                << why << ".";
         AssertThrow(false, ExcSolveFailed(message.str()));
       }
   }

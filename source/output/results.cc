@@ -73,6 +73,7 @@ namespace lumbricus
              "newton_iterations",
              "linear_iterations",
              "factorisations",
+             "softest_stiffness",
              "seconds",
              "elapsed_seconds"},
             space.communicator())
@@ -246,7 +247,8 @@ namespace lumbricus
       }
     steps << step.number << step.time << step.size << step.n_cuts << n_solves
           << n_newton_iterations << step.n_linear_iterations
-          << step.n_factorisations << step.seconds << step.elapsed_seconds;
+          << step.n_factorisations << step.softest_stiffness << step.seconds
+          << step.elapsed_seconds;
     steps.end_row();
     steps.flush();
   }

@@ -2,6 +2,7 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/program/chain_problem.h>
+#include <lumbricus/program/diagnosis.h>
 #include <lumbricus/program/mesh_adaptation.h>
 #include <lumbricus/program/run_log.h>
 
@@ -139,6 +140,8 @@ namespace lumbricus
         record.number      = step.number + 1;
         if (parameters.adaptivity.due(record.number))
           adapt(next, record, results);
+        record.softest_stiffness =
+          parameters.stability_watch.look(model, next, log);
         charge(record, before);
         state = next;
         step  = record;
@@ -259,10 +262,20 @@ namespace lumbricus
               parameters.predictor.restart(state);
               continue;
             }
-          stepping.cut(state.time, plain_message(exception));
+          const std::string why = plain_message(exception);
+          try
+            {
+              stepping.cut(state.time, why);
+            }
+          catch (const ExcSolveFailed &failure)
+            {
+              AssertThrow(false,
+                          ExcSolveFailed(
+                            plain_message(failure) +
+                            diagnose(model, state, stepping.step())));
+            }
           ++step.n_cuts;
-          log << "        cut to " << stepping.step() << ": "
-              << plain_message(exception) << "\n";
+          log << "        cut to " << stepping.step() << ": " << why << "\n";
         }
   }
 

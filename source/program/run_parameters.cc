@@ -30,6 +30,8 @@ namespace lumbricus
     linear_solver.declare_parameters(prm);
     prm.leave_subsection();
 
+    stability_watch.declare_parameters(prm);
+
     prm.enter_subsection("Output");
     prm.add_parameter("Folder",
                       output_folder,

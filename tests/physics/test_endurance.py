@@ -16,19 +16,18 @@ def of_segment(result, segment):
 def test_a_quarter_of_the_length(tmp_path):
     # Between membranes, driven by muscles alone.
     result = run_well(SOURCE / "parameters" / "quarter_length" / "case.prm",
-                      tmp_path, COARSE, ranks=2)
+                      tmp_path, ["Time/End=1.5", "Output/Every=0"], ranks=2)
     middle = of_segment(result, 2)
     lengths = [row["length"] for row in middle]
     assert max(lengths) / min(lengths) >= 4
     assert lengths.index(max(lengths)) < lengths.index(min(lengths))
-    assert lengths[-1] == pytest.approx(lengths[0], rel=1e-6)
     for row in result.segments():
         for volume in ("fluid_volume", "wall_volume"):
             at_rest = of_segment(result, row["segment"])[0][volume]
             assert row[volume] == pytest.approx(at_rest, rel=1e-10)
         assert row["eta"] < 1e-3
-        assert row["fluid_mesh_quality"] > 0.1
-        assert row["wall_mesh_quality"] > 0.1
+        assert row["fluid_mesh_quality"] > 0.3
+        assert row["wall_mesh_quality"] > 0.3
 
 
 def waves(folder, settings):
@@ -69,3 +68,17 @@ def test_every_wave_is_the_same(tmp_path):
     assert difference(drifting[1], drifting[3]) > 1e-8
     # Where the nodes inside the liquid are makes no difference.
     assert difference(relaxed[1], drifting[1]) < 1e-4
+
+
+def test_pressures_of_lumbricus_terrestris(tmp_path):
+    # Peaks of 12 and 7 cm of water, on a mesh that is coarser than the case's.
+    result = run_well(SOURCE / "parameters" / "lumbricus_terrestris" / "case.prm",
+                      tmp_path, COARSE + ["Time/End=7.5"])
+    for segment in (5, 6):
+        pressures = [1000 * row["fluid_pressure"]
+                     for row in of_segment(result, segment) if row["t"] > 1.5]
+        peaks = sorted(b for a, b, c in zip(pressures, pressures[1:],
+                                            pressures[2:]) if a < b > c)
+        assert len(peaks) == 2
+        assert peaks[1] == pytest.approx(1.18, rel=0.1)
+        assert peaks[0] == pytest.approx(0.69, rel=0.1)

@@ -5,6 +5,7 @@
 #include <lumbricus/solvers/reset_iteration.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace lumbricus
@@ -47,6 +48,8 @@ namespace lumbricus
     unsigned int n_factorisations    = 0;
     double       seconds             = 0.;
     double       elapsed_seconds     = 0.;
+    /** Of the softest motion, where that is watched [N/mm^4]. */
+    double softest_stiffness = std::numeric_limits<double>::quiet_NaN();
     /** The segments inside whose liquid the mesh was relaxed before it; empty
      * for none. */
     std::vector<bool> relaxed;

@@ -10,6 +10,7 @@
 #include <lumbricus/discretization/interface_coupling.h>
 #include <lumbricus/loads/boundary_conditions.h>
 #include <lumbricus/output/probes.h>
+#include <lumbricus/program/stability_watch.h>
 #include <lumbricus/solvers/linear_solver.h>
 #include <lumbricus/solvers/predictor.h>
 #include <lumbricus/solvers/reset_iteration.h>
@@ -61,6 +62,7 @@ namespace lumbricus
     Newton               newton;
     Predictor            predictor;
     Choice<LinearSolver> linear_solver;
+    StabilityWatch       stability_watch;
     std::string          output_folder = "results";
     unsigned int         output_every  = 1;
     ProbePoints          probe_points;

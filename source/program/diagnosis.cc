@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/program/diagnosis.h>
+#include <lumbricus/solvers/stability.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace lumbricus
+{
+  namespace
+  {
+    // Stiffness of this part of that at rest is next to none.
+    constexpr double little = 0.1;
+    // A cell with a scaled Jacobian below this is badly shaped.
+    constexpr double badly_shaped = 0.05;
+
+    // Linearise at a state under the loads of another time.
+    void
+    linearise(ChainModel &model, const State &state, const double t)
+    {
+      model.references.update(state);
+      model.references.update_muscles(t);
+      model.equilibrium.set_time(t, state.solution);
+      model.equilibrium.forget_factors();
+      model.equilibrium.linearise(state.solution);
+    }
+
+
+
+    std::string
+    percent(const double part)
+    {
+      std::ostringstream out;
+      out.precision(2);
+      out << 100. * part << " %";
+      return out.str();
+    }
+
+
+
+    std::string
+    worst_cells(ChainModel &model, const State &state)
+    {
+      const Vector       relevant  = model.space.with_ghosts(state.solution);
+      const auto         qualities = mesh_qualities(model.space,
+                                            model.shapes,
+                                            model.parameters.anatomy,
+                                            &relevant);
+      std::ostringstream out;
+      out.precision(2);
+      for (unsigned int s = 0; s < qualities.size(); ++s)
+        for (const auto &[name, quality] :
+             {std::make_pair("liquid", qualities[s].liquid),
+              std::make_pair("wall", qualities[s].wall)})
+          if (quality < badly_shaped)
+            out << (out.str().empty() ? "" : ", ") << name << " of segment "
+                << s + 1 << " (scaled Jacobian " << quality << ")";
+      return out.str();
+    }
+  } // namespace
+
+
+
+  std::string
+  diagnose(ChainModel &model, const State &state, const double step)
+  {
+    const Stability    stability(model.space,
+                              model.shapes,
+                              model.parameters.anatomy,
+                              model.assembler.tangent(),
+                              *model.parameters.linear_solver.get());
+    std::ostringstream words;
+    try
+      {
+        linearise(model, state, state.time + step);
+        const CellVector loads = model.assembler.right_hand_side();
+        linearise(model, state, state.time);
+        const auto   softest  = stability.softest_motion();
+        const auto   answer   = stability.response(loads);
+        const double likeness = stability.likeness(softest, answer);
+        const auto   place    = stability.place(softest);
+
+        const State at_rest = model.space.initial_state();
+        linearise(model, at_rest, at_rest.time);
+        const double softest_part =
+          softest.stiffness / stability.softest_motion().stiffness;
+        const double answer_part =
+          answer.stiffness / stability.response(loads).stiffness;
+
+        const std::string where =
+          "\nThe body is close to a static instability at time " +
+          dealii::Utilities::to_string(state.time) + ": ";
+        if (answer_part < little && likeness > 0.5)
+          words << where
+                << "a limit point. Its stiffness against the loads has fallen "
+                   "to "
+                << percent(answer_part)
+                << " of that at rest, in a motion that is largest in " << place
+                << ". Beyond it there is no equilibrium nearby. Let the loads "
+                   "stop short of it, or prescribe displacements or volumes of "
+                   "liquid where now a pressure is prescribed.";
+        else if (softest_part < little)
+          words << where
+                << "buckling (a bifurcation). In a motion that is largest in "
+                << place << ", and which the loads do not drive, its stiffness "
+                << (softest.stiffness < 0. ?
+                      "is negative" :
+                      "has fallen to " + percent(softest_part) +
+                        " of that at rest")
+                << ". Make that part stiffer or thicker, contract it by a "
+                   "muscle of its own, or let an imperfection choose the way.";
+        else
+          {
+            words << "\nThe body is stable at time " << state.time
+                  << ": its stiffness in the softest motion is "
+                  << percent(softest_part) << " of that at rest, against the "
+                  << "loads " << percent(answer_part) << ".";
+            const std::string cells = worst_cells(model, state);
+            words << (cells.empty() ?
+                        " Try a smaller 'Time/Smallest step', a smaller active "
+                        "stretch or load, or a finer mesh." :
+                        " Its mesh has cells that are badly shaped: " + cells +
+                          ". Try a finer mesh or one of another shape there.");
+          }
+      }
+    catch (const ExcNotConverged &exception)
+      {
+        words << "\nThe stiffness of the body at time " << state.time
+              << " cannot be computed: " << plain_message(exception) << ".";
+      }
+    return words.str();
+  }
+} // namespace lumbricus
