@@ -303,9 +303,7 @@ namespace
     FreeNumbering                     numbering;
     numbering.reinit(block.unknowns, true, MPI_COMM_SELF);
     Mumps<Number> mumps(MPI_COMM_SELF, {true, true, 0.}, numbering);
-    for (unsigned int i = 0; i < block.n_cells(); ++i)
-      mumps.add_pattern(block.unknowns.free_unknowns(i).data(), n);
-    mumps.analyse();
+    mumps.analyse(block.unknowns, block.n_cells(), 0);
     mumps.begin();
     ElementKernel       kernel;
     std::vector<double> K;

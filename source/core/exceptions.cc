@@ -5,6 +5,16 @@
 
 namespace lumbricus
 {
+  bool
+  is_thrown_on_all_ranks(const dealii::ExceptionBase &exception)
+  {
+    return dynamic_cast<const ExcInput *>(&exception) != nullptr ||
+           dynamic_cast<const ExcNotConverged *>(&exception) != nullptr ||
+           dynamic_cast<const ExcSolveFailed *>(&exception) != nullptr;
+  }
+
+
+
   std::string
   plain_message(const dealii::ExceptionBase &exception)
   {

@@ -93,12 +93,9 @@ namespace lumbricus
     numbering.reinit(*hierarchy.level(0).unknowns, true, comm);
     mumps = std::make_unique<Mumps<double>>(
       comm, Mumps<double>::Options{tangent.symmetric, true, 0.}, numbering);
-    for (unsigned int i = 0; i < hierarchy.level(0).n_owned_cells; ++i)
-      {
-        const auto places = hierarchy.level(0).unknowns->free_unknowns(i);
-        mumps->add_pattern(places.data(), places.size());
-      }
-    mumps->analyse();
+    mumps->analyse(*hierarchy.level(0).unknowns,
+                   hierarchy.level(0).n_owned_cells,
+                   0);
     coarse_matrices.resize(n_levels - 1);
     for (unsigned int l = 0; l + 1 < n_levels; ++l)
       coarse_matrices[l].resize(hierarchy.level(l).n_cells);

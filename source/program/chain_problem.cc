@@ -104,9 +104,7 @@ namespace lumbricus
       }
     catch (const dealii::ExceptionBase &exception)
       {
-        // Only these two are thrown on all ranks; anything else is a bug.
-        if (dynamic_cast<const ExcInput *>(&exception) == nullptr &&
-            dynamic_cast<const ExcSolveFailed *>(&exception) == nullptr)
+        if (!is_thrown_on_all_ranks(exception))
           throw;
         trouble = plain_message(exception);
       }

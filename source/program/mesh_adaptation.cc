@@ -178,18 +178,12 @@ namespace lumbricus
             record.n_refined   = n_not_in(backup.refined, refined);
             record.n_coarsened = n_not_in(refined, backup.refined);
           }
-        catch (const ExcNotConverged &exception)
+        catch (const dealii::ExceptionBase &exception)
           {
-            trouble = plain_message(exception);
-          }
-        catch (const ExcInput &exception)
-          {
-            // An expression without a value at a new point.
-            trouble = plain_message(exception);
-          }
-        catch (const ExcSolveFailed &exception)
-          {
-            // Too little memory for so many unknowns.
+            // No convergence, an expression without a value at a new point, too
+            // little memory for so many unknowns.
+            if (!is_thrown_on_all_ranks(exception))
+              throw;
             trouble = plain_message(exception);
           }
         if (!trouble.empty())

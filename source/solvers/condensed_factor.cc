@@ -32,12 +32,7 @@ namespace lumbricus
     , couplings(tangent.unknowns.n_cells())
   {
     tangent.unknowns.reinit_vector(reduced);
-    for (unsigned int i = 0; i < tangent.unknowns.n_cells(); ++i)
-      {
-        const auto places = tangent.unknowns.free_unknowns(i);
-        mumps.add_pattern(places.data() + n_private, places.size() - n_private);
-      }
-    mumps.analyse();
+    mumps.analyse(tangent.unknowns, tangent.unknowns.n_cells(), n_private);
   }
 
 

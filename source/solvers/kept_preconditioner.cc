@@ -92,20 +92,22 @@ namespace lumbricus
   void
   KeptPreconditioner::give_up_kind()
   {
-    Kind next = make(*tangent, kind + 1);
+    // Memory for one of them is enough.
+    const std::string name = current.name;
+    current                = {};
+    Kind next              = make(*tangent, kind + 1);
     AssertThrow(next.inverse != nullptr,
-                ExcNotConverged("The linear solver (" + current.name +
+                ExcNotConverged("The linear solver (" + name +
                                 (factored ? ") does not reach its tolerance "
                                             "in " +
                                               std::to_string(most_iterations) +
                                               " iterations, even with new "
                                               "factors" :
                                             ") finds the tangent singular")));
-    tell("The linear solver goes on with " + next.name + ": " + current.name +
-         " " +
-         (factored ? "takes more than " + std::to_string(most_iterations) +
+    tell("The linear solver goes on with " + next.name + ", since " + name +
+         (factored ? " needed more than " + std::to_string(most_iterations) +
                        " iterations" :
-                     "cannot be computed for this tangent") +
+                     " could not be computed for this tangent") +
          ".");
     ++kind;
     current  = std::move(next);
@@ -135,9 +137,7 @@ namespace lumbricus
         converged = false;
       }
     age.solved(control.last_step(), tolerance);
-    counts.n_iterations += control.last_step();
-    counts.most_iterations =
-      std::max(counts.most_iterations, control.last_step());
+    count_iterations(control.last_step());
     counts.solve_seconds += timer.wall_time();
     return converged;
   }

@@ -154,8 +154,15 @@ namespace lumbricus
 
   template <typename Number>
   void
-  Mumps<Number>::analyse()
+  Mumps<Number>::analyse(const CellUnknowns &unknowns,
+                         const unsigned int  n_cells,
+                         const unsigned int  n_left_out)
   {
+    for (unsigned int i = 0; i < n_cells; ++i)
+      {
+        const auto places = unknowns.free_unknowns(i);
+        add_pattern(places.data() + n_left_out, places.size() - n_left_out);
+      }
     entries.resize(rows.size());
     auto &data   = instance->data;
     data.n       = numbering.size();

@@ -105,13 +105,21 @@ def damage(path, how):
         path.unlink()
 
 
+@pytest.fixture(scope="module")
+def three_steps(tmp_path_factory):
+    """The first three steps, with two checkpoints."""
+    folder = tmp_path_factory.mktemp("three")
+    assert fresh(folder, 2, ["Time/End=0.3"]).exit_code == 0
+    return folder
+
+
 @pytest.mark.parametrize("how", ["truncated", "changed", "missing"])
 @pytest.mark.parametrize("name", ["cells.1", "mesh", "progress", "MANIFEST"])
-def test_a_damaged_checkpoint_is_left_out(tmp_path, reference, name, how):
-    assert fresh(tmp_path, 2, ["Time/End=0.3"]).exit_code == 0
-    newest = tmp_path / "checkpoints" / "000003"
-    damage(newest / name, how)
-    run = restart(tmp_path, 2, ["Time/End=0.4"])
+def test_a_damaged_checkpoint_is_left_out(tmp_path, reference, three_steps,
+                                          name, how):
+    folder = shutil.copytree(three_steps, tmp_path / "run")
+    damage(folder / "checkpoints" / "000003" / name, how)
+    run = restart(folder, 2, ["Time/End=0.4"])
     assert run.exit_code == 0, run.message
     assert "000003' is damaged" in run.log
     assert "after step 2" in run.log

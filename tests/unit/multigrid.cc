@@ -141,7 +141,7 @@ TEST_F(MultigridBlock, LevelsHaveTheUnknownsOfTheirMeshes)
 {
   make(true);
   Hierarchy hierarchy;
-  hierarchy.reinit(space, unknowns, 0);
+  hierarchy.reinit(space, unknowns, 0, VCycleParameters().thin);
   ASSERT_EQ(hierarchy.n_levels(), 4u);
   // Of 2 x 1 x 1 cells and their refinements.
   EXPECT_EQ(hierarchy.level(0).n_unknowns, 3u * 5 * 3 * 3 + 4 * 2);

@@ -57,6 +57,11 @@ namespace lumbricus
   /** The run cannot go on: exit code 2, with the last good state on disk. */
   DeclException1(ExcSolveFailed, std::string, << arg1);
 
+  /** Whether it is one of the three above that are thrown on all ranks,
+   * ExcInput, ExcNotConverged or ExcSolveFailed; anything else is a bug. */
+  bool
+  is_thrown_on_all_ranks(const dealii::ExceptionBase &exception);
+
   /** The plain message of an exception, without deal.II's frame and trace. */
   std::string
   plain_message(const dealii::ExceptionBase &exception);

@@ -71,7 +71,7 @@ namespace lumbricus
     reinit(const MixedSpace   &space,
            const CellUnknowns &unknowns,
            const unsigned int  n_coarsest,
-           const double        thin = 3.);
+           const double        thin);
 
     unsigned int
     n_levels() const

@@ -5,6 +5,7 @@
 #include <lumbricus/core/parameter_owner.h>
 #include <lumbricus/discretization/tangent.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 
@@ -66,6 +67,14 @@ namespace lumbricus
     {
       if (listener)
         listener(message);
+    }
+
+    /** Count those of one try to solve. */
+    void
+    count_iterations(const unsigned int n)
+    {
+      counts.n_iterations += n;
+      counts.most_iterations = std::max(counts.most_iterations, n);
     }
 
     LinearSolverStatistics counts;

@@ -41,14 +41,16 @@ namespace lumbricus
     Mumps &
     operator=(const Mumps &) = delete;
 
-    /** Announce a square matrix in the unknowns at @p places. */
+    /**
+     * For the sum of one square matrix per owned cell 0 ... @p n_cells - 1, in
+     * the free unknowns of that cell without the first @p n_left_out of them:
+     * order the unknowns and plan the factorisation. Throws ExcSolveFailed when
+     * memory ends.
+     */
     void
-    add_pattern(const unsigned int *places, const unsigned int n);
-
-    /** When all are announced: order the unknowns and plan the factorisation.
-     * Throws ExcSolveFailed when memory ends. */
-    void
-    analyse();
+    analyse(const CellUnknowns &unknowns,
+            const unsigned int  n_cells,
+            const unsigned int  n_left_out);
 
     /** Operations of the factorisation that is planned, on all ranks, without
      * compression. */
@@ -63,8 +65,7 @@ namespace lumbricus
     void
     begin();
 
-    /** Add a square matrix of size @p n, by rows: those that were announced, in
-     * the same order. */
+    /** Add the square matrix of the next cell, of size @p n, by rows. */
     void
     add(const unsigned int n, const double *matrix);
 
@@ -90,6 +91,10 @@ namespace lumbricus
 
   private:
     struct Instance;
+
+    /** Announce a square matrix in the unknowns at @p places. */
+    void
+    add_pattern(const unsigned int *places, const unsigned int n);
 
     void
     run(const int job);
