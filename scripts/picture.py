@@ -277,13 +277,77 @@ def choose_times(series, wanted, n):
             sorted({int(np.argmin(np.abs(times - t))) for t in wanted})]
 
 
-def save(figure, file_name):
-    """Write a PNG at 150 dots per inch, each the mean of 3 x 3: polygons that
-    are smoothed one by one would show seams."""
+def rendered(figure, dots_per_inch=150):
+    """An image of the figure, each dot the mean of 3 x 3: polygons that are
+    smoothed one by one would show seams."""
     buffer = io.BytesIO()
-    figure.savefig(buffer, dpi=450)
+    figure.savefig(buffer, dpi=3 * dots_per_inch,
+                   pil_kwargs={"compress_level": 0})
     plt.close(figure)
-    Image.open(buffer).convert("RGB").reduce(3).save(file_name, optimize=True)
+    return Image.open(buffer).convert("RGB").reduce(3)
+
+
+def save(figure, file_name):
+    rendered(figure).save(file_name, optimize=True)
+
+
+class Scales:
+    """What several drawings have in common: colours and limits."""
+
+    def __init__(self, drawings):
+        self.has_liquid = any(d.liquid.any() for d in drawings)
+        top = max((d.pressure[d.liquid].max() for d in drawings
+                   if d.liquid.any()), default=0.0)
+        self.pressure = Normalize(0, top if top > 0 else 1)
+        most = max(d.contraction.max() for d in drawings)
+        self.has_contraction = most > 0
+        self.contraction = Normalize(0, 100 * most if most > 0 else 1)
+
+        points = np.concatenate([d.polygons.reshape(-1, 2) for d in drawings])
+        low, high = points.min(axis=0), points.max(axis=0)
+        margin = 0.03 * (high - low).max()
+        self.low, self.high = low - margin, high + margin
+
+    def colours(self, drawing):
+        return drawing.colours(self.pressure,
+                               lambda c: self.contraction(100 * c))
+
+
+def paint(axes, drawing, scales, low, high, time):
+    """One body with its time above it, in the window from low to high."""
+    colours = scales.colours(drawing)
+    axes.add_collection(PolyCollection(
+        drawing.polygons, facecolors=colours, edgecolors=colours,
+        linewidths=0.2, antialiaseds=False))
+    for line in drawing.edges:
+        axes.plot(*line.T, color="#402020", linewidth=0.3,
+                  solid_capstyle="round")
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    axes.set_aspect("equal")
+    axes.axis("off")
+    axes.text(0.02, 1.0, f"$t$ = {time:g}", transform=axes.transAxes,
+              fontsize=9, va="top")
+
+
+def add_colour_bars(figure, scales):
+    """At the bottom of the figure, 0.75 inches high."""
+    total = figure.get_figheight()
+    maps = []
+    if scales.has_contraction:
+        maps.append((scales.contraction, MUSCLE_COLOURS,
+                     "active contraction of the muscles [%]"))
+    if scales.has_liquid:
+        maps.append((scales.pressure, LIQUID_COLOURS,
+                     "pressure of the liquid [N/mm$^2$]"))
+    places = [0.08, 0.55] if len(maps) == 2 else [0.315]
+    for place, (norm, colours, label) in zip(places, maps):
+        axes = figure.add_axes([place, 0.47 / total, 0.37, 0.1 / total])
+        colour_bar = figure.colorbar(
+            plt.cm.ScalarMappable(norm=norm, cmap=colours), cax=axes,
+            orientation="horizontal")
+        colour_bar.set_label(label, fontsize=8, labelpad=2)
+        colour_bar.ax.tick_params(labelsize=7, length=2, pad=2)
+        colour_bar.outline.set_linewidth(0.5)
 
 
 def draw_body(folder, parameters, wanted_times, n_times, columns, with_mesh):
@@ -291,16 +355,8 @@ def draw_body(folder, parameters, wanted_times, n_times, columns, with_mesh):
     shown = choose_times(read_series(folder), wanted_times, n_times)
     drawings = [Drawing(name, body, with_mesh) for _, name in shown]
 
-    top = max((d.pressure[d.liquid].max() for d in drawings
-               if d.liquid.any()), default=0.0)
-    pressure_norm = Normalize(0, top if top > 0 else 1)
-    most = max(d.contraction.max() for d in drawings)
-    contraction_norm = Normalize(0, 100 * most if most > 0 else 1)
-
-    points = np.concatenate([d.polygons.reshape(-1, 2) for d in drawings])
-    low, high = points.min(axis=0), points.max(axis=0)
-    margin = 0.03 * (high - low).max()
-    low, high = low - margin, high + margin
+    scales = Scales(drawings)
+    low, high = scales.low, scales.high.copy()
     inches = 7.5
     if columns == 0:
         width, height = high - low
@@ -310,7 +366,7 @@ def draw_body(folder, parameters, wanted_times, n_times, columns, with_mesh):
     high[1] += 0.12 * (high - low)[0] * columns / inches
     width, height = high - low
     row_inches = min(inches / columns * height / width, 3.5)
-    bars = 0.75 if most > 0 or any(d.liquid.any() for d in drawings) else 0.1
+    bars = 0.75 if scales.has_contraction or scales.has_liquid else 0.1
     title = 0.45
     total = n_rows * row_inches + bars + title
     figure = plt.figure(figsize=(inches, total))
@@ -319,39 +375,10 @@ def draw_body(folder, parameters, wanted_times, n_times, columns, with_mesh):
         axes = figure.add_axes([
             column / columns, 1 - (title + (row + 1) * row_inches) / total,
             1 / columns, row_inches / total])
-        colours = drawing.colours(
-            pressure_norm, lambda c: contraction_norm(100 * c))
-        axes.add_collection(PolyCollection(
-            drawing.polygons, facecolors=colours, edgecolors=colours,
-            linewidths=0.2, antialiaseds=False))
-        for line in drawing.edges:
-            axes.plot(*line.T, color="#402020", linewidth=0.3,
-                      solid_capstyle="round")
-        axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
-        axes.set_aspect("equal")
-        axes.axis("off")
-        axes.text(0.02, 1.0, f"$t$ = {time:g}", transform=axes.transAxes,
-                  fontsize=9, va="top")
-
+        paint(axes, drawing, scales, low, high, time)
     figure.suptitle(parameters.get("Title", ""), fontsize=11,
                     y=1 - 0.13 / total, va="top")
-    y, bar_height = 0.47 / total, 0.1 / total
-    maps = []
-    if most > 0:
-        maps.append((contraction_norm, MUSCLE_COLOURS,
-                     "active contraction of the muscles [%]"))
-    if any(d.liquid.any() for d in drawings):
-        maps.append((pressure_norm, LIQUID_COLOURS,
-                     "pressure of the liquid [N/mm$^2$]"))
-    places = [0.08, 0.55] if len(maps) == 2 else [0.315]
-    for place, (norm, colours, label) in zip(places, maps):
-        axes = figure.add_axes([place, y, 0.37, bar_height])
-        colour_bar = figure.colorbar(
-            plt.cm.ScalarMappable(norm=norm, cmap=colours), cax=axes,
-            orientation="horizontal")
-        colour_bar.set_label(label, fontsize=8, labelpad=2)
-        colour_bar.ax.tick_params(labelsize=7, length=2, pad=2)
-        colour_bar.outline.set_linewidth(0.5)
+    add_colour_bars(figure, scales)
     save(figure, pathlib.Path(folder) / "picture.png")
 
 
@@ -361,8 +388,8 @@ def cell_borders(t):
     return np.concatenate([t[:1], middle, t[-1:]])
 
 
-def draw_table(folder, parameters):
-    table = read_table(pathlib.Path(folder) / "segments.csv")
+def draw_table(table, parameters, file_name):
+    """The table of the segments, with a row for every segment at all times."""
     times = np.unique(table["t"])
     segments = np.unique(table["segment"]).astype(int)
 
@@ -415,7 +442,7 @@ def draw_table(folder, parameters):
     for axes in grid[1]:
         axes.set_xlabel("time", fontsize=8)
     figure.suptitle(parameters.get("Title", ""), fontsize=11)
-    save(figure, pathlib.Path(folder) / "segments.png")
+    save(figure, file_name)
 
 
 def main():
@@ -439,7 +466,9 @@ def main():
     parameters = read_parameters(arguments.folder)
     draw_body(arguments.folder, parameters, arguments.times, arguments.count,
               arguments.columns, arguments.mesh)
-    draw_table(arguments.folder, parameters)
+    folder = pathlib.Path(arguments.folder)
+    draw_table(read_table(folder / "segments.csv"), parameters,
+               folder / "segments.png")
     print(f"Wrote picture.png and segments.png to {arguments.folder}")
     return 0
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/json_parameters.h>
 #include <lumbricus/core/parameter_file.h>
 #include <lumbricus/core/pattern_words.h>
 #include <lumbricus/core/prm_scanner.h>
@@ -84,12 +85,18 @@ namespace lumbricus
   {
     std::ifstream in(file_name);
     AssertThrow(in && !std::filesystem::is_directory(file_name),
-                ExcInput("The parameter file '" + file_name + "'" +
-                         (being_read.empty() ?
-                            std::string() :
-                            ", which '" + being_read.back() + "' includes,") +
-                         " cannot be read. Give the path of a .prm file; the "
-                         "gallery in parameters/ has some."));
+                ExcInput(
+                  "The parameter file '" + file_name + "'" +
+                  (being_read.empty() ?
+                     std::string() :
+                     ", which '" + being_read.back() + "' includes,") +
+                  " cannot be read. Give the path of a .prm or .json file; the "
+                  "gallery in parameters/ has some."));
+    if (std::filesystem::path(file_name).extension() == ".json")
+      {
+        sources.push_back({file_name, prm_from_json(file_name, in), false});
+        return;
+      }
     const std::string file = std::filesystem::canonical(file_name).string();
     AssertThrow(std::count(being_read.begin(), being_read.end(), file) == 0,
                 ExcInput("The parameter file '" + file_name +
@@ -128,7 +135,7 @@ namespace lumbricus
         text += '\n';
       }
     being_read.pop_back();
-    sources.push_back({file_name, text, false});
+    sources.push_back({file_name, text, true});
   }
 
 
@@ -150,7 +157,7 @@ namespace lumbricus
     text += "set " + name + " =" + setting.substr(equals + 1) + "\n";
     for (unsigned int i = 0; i < path.size(); ++i)
       text += "end\n";
-    sources.push_back({"--set '" + setting + "'", text, true});
+    sources.push_back({"--set '" + setting + "'", text, false});
   }
 
 
@@ -158,7 +165,7 @@ namespace lumbricus
   std::string
   ParameterFile::Source::place(const unsigned int line) const
   {
-    return is_setting ? name : name + ", line " + std::to_string(line);
+    return has_lines ? name + ", line " + std::to_string(line) : name;
   }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/adaptivity/cell_cost.h>
+#include <lumbricus/core/exceptions.h>
 #include <lumbricus/program/chain_model.h>
 
 namespace lumbricus
@@ -87,14 +88,21 @@ namespace lumbricus
     references.update(state);
     parameters.boundary_conditions.try_expressions(triangulation, {state.time});
     equilibrium.set_time(state.time, state.solution);
-    return parameters.reset_iteration.solve(state,
-                                            equilibrium,
-                                            parameters.newton,
-                                            references,
-                                            space,
-                                            shapes,
-                                            parameters.anatomy,
-                                            timer);
+    const Vector start  = state.solution;
+    const auto   report = parameters.reset_iteration.solve(state,
+                                                         equilibrium,
+                                                         parameters.newton,
+                                                         references,
+                                                         space,
+                                                         shapes,
+                                                         parameters.anatomy,
+                                                         timer);
+    AssertThrow(!equilibrium.leaps(start, state.solution),
+                ExcNotConverged(
+                  "The body has moved by more than its own length "
+                  "within the step: this is another equilibrium, "
+                  "to which nothing leads"));
+    return report;
   }
 
 

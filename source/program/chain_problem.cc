@@ -6,6 +6,7 @@
 #include <lumbricus/program/mesh_adaptation.h>
 #include <lumbricus/program/run_log.h>
 
+#include <iomanip>
 #include <iostream>
 #include <sstream>
 
@@ -34,6 +35,7 @@ namespace lumbricus
       [this](const std::string &message) {
         log << "        " << message << "\n";
       });
+    model.equilibrium.report_to([this]() { show_progress(); });
   }
 
 
@@ -49,7 +51,8 @@ namespace lumbricus
         << model.space.dof_handler.n_dofs() << " unknowns, "
         << dealii::Utilities::MPI::n_mpi_processes(comm) << " rank"
         << (dealii::Utilities::MPI::n_mpi_processes(comm) == 1 ? "" : "s")
-        << "\n";
+        << "\n"
+        << parameters.unit_check.warnings(parameters.anatomy);
   }
 
 
@@ -241,8 +244,10 @@ namespace lumbricus
     while (true)
       try
         {
-          State next = state;
-          next.time  = stepping.next_time(state.time);
+          State next   = state;
+          next.time    = stepping.next_time(state.time);
+          next_time    = next.time;
+          n_iterations = 0;
           parameters.predictor.predict(next);
           step.report = model.solve(next);
           step.time   = next.time;
@@ -292,6 +297,19 @@ namespace lumbricus
       }
     results.reinit();
     parameters.predictor.restart(state);
+  }
+
+
+
+  void
+  ChainProblem::show_progress()
+  {
+    std::ostringstream line;
+    line << "        to time " << next_time << " of "
+         << parameters.load_stepping.end_time() << ": Newton iteration "
+         << ++n_iterations << " of this step, " << std::fixed
+         << std::setprecision(0) << run_timer.wall_time() << " s";
+    log.progress(line.str());
   }
 
 

@@ -17,6 +17,8 @@ namespace lumbricus
       {"version", no_argument, nullptr, 'v'},
       {"parameters", no_argument, nullptr, 'p'},
       {"check", no_argument, nullptr, 'c'},
+      {"quiet", no_argument, nullptr, 'q'},
+      {"progress", no_argument, nullptr, 'P'},
       {"set", required_argument, nullptr, 's'},
       {"output", required_argument, nullptr, 'o'},
       {"restart", required_argument, nullptr, 'r'},
@@ -26,7 +28,7 @@ namespace lumbricus
     opterr = 0;
     optind = 1;
     int letter;
-    while ((letter = getopt_long(argc, argv, ":hvo:", options, nullptr)) != -1)
+    while ((letter = getopt_long(argc, argv, ":hvqo:", options, nullptr)) != -1)
       switch (letter)
         {
           case 'h':
@@ -40,6 +42,12 @@ namespace lumbricus
             break;
           case 'c':
             check = true;
+            break;
+          case 'P':
+            progress = true;
+            break;
+          case 'q':
+            quiet = true;
             break;
           case 's':
             settings.emplace_back(optarg);
@@ -110,6 +118,11 @@ namespace lumbricus
          "  -o, --output DIR           write the results to DIR\n"
          "  --restart DIR              go on with the run in DIR from its last "
          "checkpoint\n"
+         "      --progress             end with a line that says where the run "
+         "is, as it\n"
+         "                             does on a terminal without mpirun\n"
+         "  -q, --quiet                say only what is wrong; log.txt has the "
+         "rest\n"
          "  --parameters               print all parameters with documentation\n"
          "  -v, --version              print the version\n"
          "  -h, --help                 print this\n"

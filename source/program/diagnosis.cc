@@ -88,11 +88,11 @@ namespace lumbricus
         const double answer_part =
           answer.stiffness / stability.response(loads).stiffness;
 
-        const std::string where =
-          "\nThe body is close to a static instability at time " +
-          dealii::Utilities::to_string(state.time) + ": ";
+        std::ostringstream where;
+        where << "\nThe body is close to a static instability at time "
+              << state.time << ": ";
         if (answer_part < little && likeness > 0.5)
-          words << where
+          words << where.str()
                 << "a limit point. Its stiffness against the loads has fallen "
                    "to "
                 << percent(answer_part)
@@ -101,7 +101,7 @@ namespace lumbricus
                    "stop short of it, or prescribe displacements or volumes of "
                    "liquid where now a pressure is prescribed.";
         else if (softest_part < little)
-          words << where
+          words << where.str()
                 << "buckling (a bifurcation). In a motion that is largest in "
                 << place << ", and which the loads do not drive, its stiffness "
                 << (softest.stiffness < 0. ?

@@ -87,7 +87,7 @@ namespace lumbricus
     if (!command_line.check)
       folder = std::make_unique<RunFolder>(parameters.output_folder, comm);
 
-    Log          log(comm);
+    Log          log(comm, command_line.quiet, command_line.progress);
     ChainProblem problem(parameters, log, comm);
     problem.setup(checkpoint.get());
 

@@ -13,6 +13,7 @@ namespace lumbricus
   RunParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     prm.add_parameter("Title", title, "One line for the log.");
+    unit_check.declare_parameters(prm);
 
     anatomy.declare_parameters(prm);
 

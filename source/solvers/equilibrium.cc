@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace lumbricus
@@ -51,6 +52,20 @@ namespace lumbricus
         volume += shapes.cell(i).JxW[q];
     body_volume = dealii::Utilities::MPI::sum(volume, comm);
     length      = anatomy.geometry().characteristic_length();
+
+    std::vector<double> ends(2 * dim, std::numeric_limits<double>::lowest());
+    for (unsigned int i = 0; i < shapes.n_owned_cells(); ++i)
+      for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const double X = shapes.node(i, n)[c];
+            ends[c]        = std::max(ends[c], X);
+            ends[dim + c]  = std::max(ends[dim + c], -X);
+          }
+    dealii::Utilities::MPI::max(ends, comm, ends);
+    extent = 0.;
+    for (unsigned int c = 0; c < dim; ++c)
+      extent = std::max(extent, (ends[c] + ends[dim + c]) / length);
 
     // Forces are small, relative to nothing else, where they are those of a
     // strain of 1e-6 in the stiffest tissue.
@@ -99,6 +114,14 @@ namespace lumbricus
 
 
 
+  void
+  Equilibrium::report_to(const std::function<void()> &new_listener)
+  {
+    listener = new_listener;
+  }
+
+
+
   NonlinearProblem::Residual
   Equilibrium::residual(const Vector &x)
   {
@@ -129,6 +152,8 @@ namespace lumbricus
   Equilibrium::linearise(const Vector &x)
   {
     throw_if_interrupted(space.communicator());
+    if (listener)
+      listener();
     dealii::TimerOutput::Scope scope(timer, "assembly");
     assembler.linearise(x, time);
   }
@@ -142,6 +167,16 @@ namespace lumbricus
     linear_solver.solve(increment, assembler.right_hand_side(), tolerance);
     std::copy(increment.begin(), increment.end(), dx.begin());
     supports.constraints().distribute(dx);
+  }
+
+
+
+  bool
+  Equilibrium::leaps(const Vector &from, const Vector &to) const
+  {
+    Vector way = to;
+    way -= from;
+    return increment_size(way) > extent;
   }
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the command line and the parameter file offer beside a run."""
+import json
 import os
 import pathlib
 import subprocess
@@ -157,8 +158,8 @@ def test_output_wins_over_the_file(option, tmp_path):
     (["--restart", "run", BLOCK], ["Leave out the parameter file", "--set"]),
     (["--restart", "run", "-o", "there"], ["Leave out '--output'", "--set"]),
     (["--restart", "nowhere"], ["'nowhere' has no checkpoint"]),
-    (["none.prm"], ["'none.prm' cannot be read", "path of a .prm file"]),
-    (["."], ["'.' cannot be read", "path of a .prm file"]),
+    (["none.prm"], ["'none.prm' cannot be read", "path of a .prm or .json file"]),
+    (["."], ["'.' cannot be read", "path of a .prm or .json file"]),
 ])
 def test_wrong_command_line(arguments, words, tmp_path):
     result = call(*arguments, folder=tmp_path)
@@ -230,3 +231,70 @@ def test_two_ranks_speak_once(tmp_path):
     assert result.exit_code == 0 and result.log.count("Usage") == 1
     result = run(BLOCK, tmp_path / "out", options=["--chek"], ranks=2)
     assert result.exit_code == 1 and result.message.count("--chek") == 1
+
+
+def test_quiet_says_nothing_but_the_log_has_it(tmp_path):
+    result = run_well(BLOCK, tmp_path, options=["--quiet"])
+    assert result.log == "" and result.message == ""
+    assert "Where the time went" in (tmp_path / "log.txt").read_text()
+
+
+def test_nothing_on_a_terminal_only_goes_to_files(tmp_path):
+    result = run_well(BLOCK, tmp_path)
+    assert "\r" not in result.log and "Newton iteration" not in result.log
+    assert "\r" not in (tmp_path / "log.txt").read_text()
+
+
+def test_progress_on_a_terminal(tmp_path):
+    """script(1) makes a terminal."""
+    command = f"{os.environ['LUMBRICUS']} {BLOCK} --output {tmp_path / 'out'}"
+    process = subprocess.run(["script", "-qec", command, "/dev/null"],
+                             capture_output=True, text=True, timeout=60)
+    assert process.returncode == 0, process.stdout
+    assert "Newton iteration 2 of this step" in process.stdout
+    assert "\033[K" in process.stdout
+    assert "Newton iteration" not in (tmp_path / "out/log.txt").read_text()
+
+
+def test_parameters_in_json(tmp_path):
+    """The same run from .prm and from .json."""
+    sections, nested = [{}], None
+    for line in BLOCK.read_text().splitlines():
+        line = line.split("#")[0].strip()
+        if line.startswith("subsection "):
+            nested = sections[-1].setdefault(line[len("subsection "):], {})
+            sections.append(nested)
+        elif line == "end":
+            sections.pop()
+        elif line.startswith("set "):
+            name, _, value = line[len("set "):].partition("=")
+            sections[-1][name.strip()] = value.strip()
+    case = tmp_path / "case.json"
+    case.write_text(json.dumps(sections[0], indent=2))
+    results = [run_well(base, tmp_path / base.suffix[1:])
+               for base in (BLOCK, case)]
+    tables = [(result.folder / "segments.csv").read_text()
+              for result in results]
+    assert tables[0] == tables[1]
+
+    sections[0]["Geometry"]["Shap"] = "block"
+    case.write_text(json.dumps(sections[0]))
+    result = run(case, tmp_path / "wrong")
+    assert result.exit_code == 1
+    assert "case.json: the parameter 'Geometry/Shap' is unknown" in result.message
+    assert "Did you mean 'Geometry/Shape'?" in result.message
+
+
+@pytest.mark.parametrize("settings, words", [
+    (["Tissues/flesh/Neo-Hooke/a=2.3e5"], ["more than steel", "MPa"]),
+    (["Geometry/block/Lengths=3000, 3000, 3000"], ["more than 1 m"]),
+    (["Units=m, N, Pa", "Geometry/block/Lengths=0.02, 0.01, 0.01",
+      "Tissues/flesh/Neo-Hooke/a=0.23"],
+     ["less than 1 Pa"]),
+    (["Units=other", "Tissues/flesh/Neo-Hooke/a=2.3e5"], []),
+    ([], [])])
+def test_numbers_that_look_like_other_units(settings, words, tmp_path):
+    result = run_well(BLOCK, tmp_path, settings, options=["--check"])
+    assert result.log.count("Warning:") == (1 if words else 0), result.log
+    for word in words:
+        assert word in result.log

@@ -2,6 +2,7 @@
 // Parameter files: what they name, what is meant by a name that is not known,
 // and how settings reach nested sections.
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/json_parameters.h>
 #include <lumbricus/core/parameter_file.h>
 #include <lumbricus/core/pattern_words.h>
 #include <lumbricus/core/patterns.h>
@@ -277,4 +278,42 @@ TEST(ParameterFile, ResolvedParametersHaveTheValuesOfTheRun)
   std::ostringstream all;
   ParameterFile::print_reference(fresh, all);
   EXPECT_TRUE(contains(all.str(), "subsection Mooney-Rivlin")) << all.str();
+}
+
+
+
+TEST(JsonParameters, AreThoseOfAParameterFile)
+{
+  std::istringstream json(R"({"Title": "a = b",
+    "Outer part": {"Number": 2.5,
+                   "Inner": {"Number": 7, "Law": "Mooney-Rivlin"}},
+    "A list": ["x", 1, true]})");
+  EXPECT_EQ(prm_from_json("case.json", json),
+            "set Title = a = b\n"
+            "subsection Outer part\n"
+            "set Number = 2.5\n"
+            "subsection Inner\n"
+            "set Number = 7\n"
+            "set Law = Mooney-Rivlin\n"
+            "end\n"
+            "end\n"
+            "set A list = x, 1, true\n");
+}
+
+
+
+TEST(JsonParameters, WhatIsWrongIsSaidWithTheFile)
+{
+  const std::vector<std::array<std::string, 2>> cases = {
+    {{"{\"Title\": 1,\n oops}", "case.json, line 2: this is no JSON"}},
+    {{"[1, 2]", "has to be one object"}},
+    {{"3", "has to be one object"}},
+    {{"{\"Points\": [[0, 0, 0]]}", "the list 'Points'"}}};
+  for (const auto &[text, words] : cases)
+    {
+      std::istringstream in(text);
+      const std::string  message =
+        input_error([&]() { prm_from_json("case.json", in); });
+      EXPECT_TRUE(contains(message, words)) << message;
+    }
 }

@@ -4,6 +4,9 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <unistd.h>
+
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -11,12 +14,15 @@
 
 namespace lumbricus
 {
-  /** What the program says: to the terminal and to a file, from rank 0. */
+  /** What the program says: to the terminal, unless that is to be quiet, and to
+   * a file, from rank 0. */
   class Log
   {
   public:
-    explicit Log(const MPI_Comm comm)
+    Log(const MPI_Comm comm, const bool quiet, const bool with_progress)
       : active(dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+      , on_terminal(active && !quiet)
+      , shows_progress(on_terminal && (with_progress || is_watched()))
     {}
 
     /** From now on write to this file too, at its end where @p append. */
@@ -35,16 +41,45 @@ namespace lumbricus
         {
           std::ostringstream text;
           text << item;
-          std::cout << text.str() << std::flush;
+          if (on_terminal)
+            {
+              progress("");
+              std::cout << text.str() << std::flush;
+            }
           if (file.is_open())
             file << text.str() << std::flush;
         }
       return *this;
     }
 
+    /** Show @p line at the end of the output, in place of the last one: only
+     * where somebody looks at it, or where it was asked for; never in files. */
+    void
+    progress(const std::string &line)
+    {
+      if (!shows_progress || line == shown)
+        return;
+      // Back to the first column, and clear the line.
+      std::cout << "\r\033[K" << line << std::flush;
+      shown = line;
+    }
+
   private:
+    /** Whether standard output is a terminal. Under mpirun it always looks like
+     * one, wherever that writes to. */
+    static bool
+    is_watched()
+    {
+      return isatty(STDOUT_FILENO) &&
+             std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr &&
+             std::getenv("PMI_SIZE") == nullptr;
+    }
+
     const bool    active;
+    const bool    on_terminal;
+    const bool    shows_progress;
     std::ofstream file;
+    std::string   shown;
   };
 } // namespace lumbricus
 

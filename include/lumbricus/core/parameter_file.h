@@ -20,7 +20,8 @@ namespace lumbricus
    *
    * The syntax is deal.II's ParameterHandler's. A line `include other.prm`
    * at the top of a file, before any other line, reads another file first;
-   * its path is relative to the file that includes it.
+   * its path is relative to the file that includes it. A file whose name ends
+   * in .json is one JSON object instead: see prm_from_json().
    */
   class ParameterFile
   {
@@ -56,7 +57,7 @@ namespace lumbricus
     {
       std::string name;
       std::string text;
-      bool        is_setting;
+      bool        has_lines; ///< and is not from --set or JSON
 
       /** The place of a line, for messages: "file.prm, line 3". */
       std::string

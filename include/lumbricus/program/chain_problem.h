@@ -87,6 +87,10 @@ namespace lumbricus
     Costs
     costs() const;
 
+    /** Show where the run is, on a terminal. */
+    void
+    show_progress();
+
     /** Note what @p step has cost, which began at @p before. */
     void
     charge(StepRecord &step, const Costs &before) const;
@@ -94,6 +98,10 @@ namespace lumbricus
     RunParameters &parameters;
     Log           &log;
     const MPI_Comm comm;
+
+    /** Newton iterations of the load step that is being tried, and its end. */
+    unsigned int n_iterations = 0;
+    double       next_time    = 0.;
 
     dealii::Timer       run_timer;
     double              seconds_before_restart = 0.;

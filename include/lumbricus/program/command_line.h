@@ -18,6 +18,8 @@ namespace lumbricus
     bool                     version    = false;
     bool                     parameters = false;
     bool                     check      = false;
+    bool                     quiet      = false;
+    bool                     progress   = false;
     std::string              parameter_file;
     std::string              output_folder;
     std::string              restart_folder;

@@ -11,6 +11,7 @@
 #include <lumbricus/loads/boundary_conditions.h>
 #include <lumbricus/output/probes.h>
 #include <lumbricus/program/stability_watch.h>
+#include <lumbricus/program/unit_check.h>
 #include <lumbricus/solvers/linear_solver.h>
 #include <lumbricus/solvers/predictor.h>
 #include <lumbricus/solvers/reset_iteration.h>
@@ -51,6 +52,7 @@ namespace lumbricus
       const dealii::parallel::TriangulationBase<dim> &triangulation) const;
 
     std::string          title;
+    UnitCheck            unit_check;
     Anatomy              anatomy;
     MeshRefinement       mesh_refinement;
     Adaptivity           adaptivity;

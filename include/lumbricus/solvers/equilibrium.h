@@ -8,6 +8,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include <functional>
 #include <vector>
 
 namespace lumbricus
@@ -44,6 +45,18 @@ namespace lumbricus
      * @p solution. */
     void
     renew_interface(const Vector &solution);
+
+    /** Call @p listener at every linearisation, that is, Newton iteration. */
+    void
+    report_to(const std::function<void()> &listener);
+
+    /**
+     * Whether a node is farther from where it was than the body at rest is
+     * long. A load step that does this has found another equilibrium, to which
+     * nothing leads.
+     */
+    bool
+    leaps(const Vector &from, const Vector &to) const;
 
     Residual
     residual(const Vector &x) override;
@@ -84,9 +97,12 @@ namespace lumbricus
     double            body_volume       = 0.;
     double            length            = 1.;
     double            least_force       = 0.;
+    double            extent            = 1.; // in lengths
     std::vector<bool> is_pressure;
     Vector            r;
     CellVector        increment;
+
+    std::function<void()> listener;
   };
 } // namespace lumbricus
 

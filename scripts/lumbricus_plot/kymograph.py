@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Segments (downwards) against time: length, pressure and activation."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import FuncNorm, Normalize
+
+from picture import MUSCLE_COLOURS, cell_borders, choose_times, save
+
+from .summary import extreme
+
+MOST_TIMES = 200  # at which fields are read
+PREFIX = "active_stretch_"
+# Derivatives of the quadratic functions in the three points of an edge.
+SLOPES = np.array([[-3.0, 4.0, -1.0], [-1.0, 0.0, 1.0], [1.0, -4.0, 3.0]])
+SIMPSON = np.array([1.0, 4.0, 1.0]) / 6
+
+
+def point_volumes(points):
+    """The volume of every cell, shared out to its 27 points [cell, i, j, k]
+    by Simpson's rule."""
+    gradient = np.stack([
+        np.einsum("ai,nijkc->najkc", SLOPES, points),
+        np.einsum("bj,nijkc->nibkc", SLOPES, points),
+        np.einsum("ck,nijkd->nijcd", SLOPES, points)], axis=-1)
+    return np.abs(np.linalg.det(gradient)) * np.einsum(
+        "i,j,k->ijk", SIMPSON, SIMPSON, SIMPSON)
+
+
+def mean_stretches(fields, segments):
+    """For every muscle its mean active stretch in every segment, over the
+    volume at rest of the cells that have its fibres; nan where none has."""
+    volumes = point_volumes(fields["points"])
+    segment = np.round(fields["segment"][:, 1, 1, 1]).astype(int)
+    means = {}
+    for name in fields:
+        if not name.startswith(PREFIX):
+            continue
+        muscle = name[len(PREFIX):]
+        fibre = fields["fibre_" + muscle][:, 1, 1, 1]
+        has_muscle = np.linalg.norm(fibre, axis=-1) > 0
+        weights = np.where(has_muscle[:, None, None, None], volumes, 0)
+        total = np.array([weights[segment == s].sum() for s in segments])
+        sums = np.array([(weights * fields[name])[segment == s].sum()
+                         for s in segments])
+        means[muscle] = np.where(total > 0, sums / np.where(total > 0, total, 1),
+                                 np.nan)
+    return means
+
+
+def activation(run):
+    """Times, and by muscle the mean active stretch [time, segment]."""
+    shown = choose_times(run.series, [], MOST_TIMES) if run.series else []
+    rows = [mean_stretches(run.fields(name), run.segment_numbers)
+            for _, name in shown]
+    times = np.array([time for time, _ in shown])
+    muscles = rows[0].keys() if rows else []
+    return times, {m: np.array([row[m] for row in rows]) for m in muscles}
+
+
+def borders(times):
+    """Where the colour changes; a single time is given some width."""
+    if len(times) == 1:
+        return np.array([times[0] - 0.5, times[0] + 0.5])
+    return cell_borders(times)
+
+
+def ratio_norm(ratio):
+    """Twice as long is as far from 1 as half as long."""
+    logarithms = np.abs(np.log(ratio[np.isfinite(ratio)]))
+    most = max([1e-3, *logarithms])
+    return FuncNorm((lambda x: np.log(np.maximum(x, 1e-9)), np.exp),
+                    np.exp(-most), np.exp(most))
+
+
+def panels(run):
+    """(title, unit, times, values, colour map, norm) from the top down."""
+    ratio = run.field("length") / run.field("length")[0]
+    found = [("length relative to rest", "-", run.times, ratio, "RdBu",
+              ratio_norm(ratio))]
+    if run.has_liquid:
+        pressure = run.field("fluid_pressure")
+        found.append(("pressure of the liquid", "N/mm$^2$", run.times,
+                      pressure, "YlGnBu",
+                      Normalize(min(0, extreme(np.min, pressure)),
+                                max(extreme(np.max, pressure), 1e-12))))
+    times, stretches = activation(run)
+    known = [s for s in stretches.values() if np.isfinite(s).any()]
+    if known:
+        low = min(np.nanmin(s) for s in known)
+        high = max(1, max(np.nanmax(s) for s in known))
+        norm = Normalize(min(low, high - 1e-6), high)
+        for muscle, values in stretches.items():
+            name = muscle.replace("_", " ")
+            found.append((f"activation: active stretch of muscle “{name}”",
+                          "-", times, values, MUSCLE_COLOURS.reversed(),
+                          norm))
+    return found
+
+
+def draw_kymograph(run, file_name):
+    """Write the picture; whether it shows any activation."""
+    shown = panels(run)
+    n_muscles = len(shown) - (2 if run.has_liquid else 1)
+    heights = [1.5] * (len(shown) - n_muscles) + [1.1] * n_muscles
+    figure, grid = plt.subplots(
+        len(shown), 1, figsize=(7.5, sum(heights) + 0.8), sharex=True, squeeze=False,
+        layout="constrained",
+        gridspec_kw={"height_ratios": heights})
+    grid = grid[:, 0]
+    numbers = run.segment_numbers
+    rows = np.arange(len(numbers) + 1) - 0.5
+    for axes, (title, unit, times, values, colours, norm) in zip(grid, shown):
+        # Where a segment has no such muscle.
+        axes.set_facecolor("#d9d9d9")
+        mesh = axes.pcolormesh(borders(times), rows,
+                               np.ma.masked_invalid(values.T), cmap=colours,
+                               norm=norm, rasterized=True)
+        every = max(1, -(-len(numbers) // 8))
+        axes.set_yticks(np.arange(0, len(numbers), every), numbers[::every])
+        axes.set_ylim(rows[-1], rows[0])
+        axes.set_ylabel("segment", fontsize=8)
+        axes.set_title(title, fontsize=9, loc="left")
+        axes.tick_params(labelsize=7)
+        bar = figure.colorbar(mesh, ax=axes, pad=0.015, fraction=0.05,
+                              aspect=14)
+        bar.set_label(f"[{unit}]", fontsize=7)
+        bar.formatter.set_powerlimits((-3, 4))
+        bar.formatter.set_useOffset(False)
+        bar.ax.tick_params(labelsize=7)
+        bar.ax.yaxis.get_offset_text().set_fontsize(7)
+    grid[-1].set_xlabel("time", fontsize=8)
+    grid[-1].set_xlim(run.times[0], run.times[-1])
+    figure.suptitle(run.figure_title(), fontsize=11)
+    save(figure, file_name)
+    return n_muscles > 0

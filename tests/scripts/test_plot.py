@@ -1,0 +1,263 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""lumbricus-plot draws a small run, also one that is still going on, and says
+what is wrong with a folder that it cannot draw."""
+import base64
+import html.parser
+import io
+import re
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+from lumbricus_run import SOURCE, run_well
+
+pytest.importorskip("numpy")
+pytest.importorskip("matplotlib")
+Image = pytest.importorskip("PIL.Image")
+
+SCRIPTS = SOURCE / "scripts"
+sys.path.insert(0, str(SCRIPTS))
+from lumbricus_plot.command import main  # noqa: E402
+
+PICTURES = ["kymograph.png", "segments.png", "convergence.png"]
+TITLE = "Waves <b>& $more$</b>"
+FRAMES = 3
+
+
+def plot(*arguments):
+    """As from the command line. Most tests call main instead, since a process
+    takes a second to start."""
+    return subprocess.run(
+        [sys.executable, str(SCRIPTS / "lumbricus-plot"),
+         *map(str, arguments)], capture_output=True, text=True, timeout=300)
+
+
+@pytest.fixture(scope="module")
+def finished(tmp_path_factory):
+    """A run of three coarse segments, which nobody changes."""
+    return run_well(
+        SOURCE / "tests" / "physics" / "chain.prm",
+        tmp_path_factory.mktemp("run"),
+        ["Output/Every=1", f"Title={TITLE}"])
+
+
+@pytest.fixture(scope="module")
+def report(finished, tmp_path_factory):
+    """The folder with all that is drawn of that run."""
+    folder = tmp_path_factory.mktemp("report")
+    process = plot(finished.folder, "--output", folder, "--fibres",
+                   "--frames", FRAMES)
+    assert process.returncode == 0, process.stderr
+    assert process.stderr == ""
+    assert "animation.gif" in process.stdout
+    return folder
+
+
+@pytest.fixture
+def copy(finished, tmp_path):
+    """A copy of the run to be damaged."""
+    return shutil.copytree(finished.folder, tmp_path / "copy")
+
+
+class Page(html.parser.HTMLParser):
+    """Tags, what they refer to, and the text."""
+
+    EMPTY = {"meta", "img", "br"}
+
+    def __init__(self, file_name):
+        super().__init__()
+        self.open, self.tags, self.references, self.text = [], [], [], []
+        self.feed(file_name.read_text(encoding="utf-8"))
+        self.close()
+        assert not self.open
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append(tag)
+        if tag not in self.EMPTY:
+            self.open.append(tag)
+        self.references += [value for name, value in attrs if name in
+                            ("src", "href", "srcset", "poster", "data",
+                             "action", "style")]
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.text.append(data)
+
+
+def test_pictures(report):
+    for name in PICTURES:
+        with Image.open(report / name) as image:
+            assert image.format == "PNG"
+            assert min(image.size) > 300
+    with Image.open(report / "animation.gif") as image:
+        assert image.n_frames == FRAMES
+        frames = []
+        for number in range(image.n_frames):
+            image.seek(number)
+            frames.append(image.convert("RGB"))
+    assert len({frame.size for frame in frames}) == 1
+    assert len({frame.tobytes() for frame in frames}) == FRAMES
+    # Paper stays white in the palette that all frames share.
+    assert {frame.getpixel((1, 1)) for frame in frames} == {(255, 255, 255)}
+
+
+def test_report_is_in_one_file(report):
+    page = Page(report / "report.html")
+    assert "script" not in page.tags and "link" not in page.tags
+    assert page.tags.count("img") == 4
+    for reference in page.references:
+        kind, _, data = reference.partition(";base64,")
+        assert kind in ("data:image/png", "data:image/gif")
+        Image.open(io.BytesIO(base64.b64decode(data))).verify()
+    source = re.sub(r"base64,[^\"]*", "", (report / "report.html").read_text())
+    assert not re.search(r"https?:|file:|url\(|@import", source)
+    # The title is no markup.
+    assert "b" not in page.tags
+    assert TITLE in page.text
+
+
+def test_report_has_the_numbers(finished, report):
+    text = Page(report / "report.html").text
+    rows = finished.segments()
+    segments = sorted({row["segment"] for row in rows})
+
+    def of_segment(name, segment):
+        return [row[name] for row in rows if row["segment"] == segment]
+
+    def largest_change(name):
+        return max(abs(value / of_segment(name, s)[0] - 1)
+                   for s in segments for value in of_segment(name, s))
+
+    ratios = [max(of_segment("length", s)) / min(of_segment("length", s))
+              for s in segments]
+    expected = {
+        "largest relative change of a liquid's volume":
+            largest_change("fluid_volume"),
+        "largest relative change of a wall's volume":
+            largest_change("wall_volume"),
+        "largest divergence η at the end of a step":
+            max(row["eta"] for row in rows),
+        "largest ratio of longest to shortest length of a segment":
+            max(ratios),
+        "least quality of the liquid's mesh":
+            min(row["fluid_mesh_quality"] for row in rows),
+        "least quality of the wall's mesh":
+            min(row["wall_mesh_quality"] for row in rows)}
+    for name, value in expected.items():
+        # The cell after the name.
+        assert text[text.index(name) + 1] == f"{value:.3g}"
+    for ratio in ratios:
+        assert f"{ratio:.4g}" in text
+    # The walls of this case are compressible: there is something to see.
+    assert largest_change("wall_volume") > 1e-6
+
+
+def test_report_has_versions_times_and_parameters(finished, report):
+    text = Page(report / "report.html").text
+    assert finished.log.splitlines()[0] in text
+    assert "factorisation" in "".join(text)
+    assert any("The run is done." in part for part in text)
+    assert "It was not adapted." in text
+    named = [part for part in text if part == "Tissues/liquid/Neo-Hooke/a"]
+    assert len(named) == 2  # among those that differ, and among all
+    assert len([part for part in text if part == "Newton/Force tolerance"]) == 1
+
+
+def test_run_that_is_going_on(finished, copy):
+    # A last line is written in two halves, the last time lacks a segment, and
+    # the newest fields are not in solution.pvd.
+    (copy / "segments.csv").write_text(
+        (copy / "segments.csv").read_text()[:-4])
+    for name in ("resets.csv", "steps.csv", "newton.csv", "mesh.csv"):
+        with open(copy / name, "a") as file:
+            file.write("9,0.9")
+    log = (copy / "log.txt").read_text()
+    (copy / "log.txt").write_text(log[:log.index("Where the time went")])
+    names = sorted((copy / "vtu").glob("*.pvtu"))
+    names[-1].unlink()
+    pvd = (copy / "solution.pvd").read_text()
+    (copy / "solution.pvd").write_text(
+        re.sub(rf".*{names[-1].name}.*\n", "", pvd))
+
+    assert main([str(copy), "--frames", "2"]) == 0
+    text = Page(copy / "report.html").text
+    assert any("The run is going on" in part for part in text)
+    times = sorted({row["t"] for row in finished.segments()})
+    assert any(f"{len(times) - 2} load steps to time {times[-2]:g} of" in part
+               for part in text)
+    rows = [row for row in finished.segments() if row["t"] < times[-1]]
+    assert f"{max(row['eta'] for row in rows):.3g}" in text
+    with Image.open(copy / "animation.gif") as image:
+        assert image.n_frames == 2
+
+
+@pytest.fixture
+def refused(capsys):
+    """It ends with exit code 1 and one sentence with these words."""
+    def check(folder, *words, options=()):
+        assert main([str(folder), *options]) == 1
+        message = capsys.readouterr().err
+        assert message.startswith("lumbricus-plot: ")
+        assert message.endswith(".\n") and message.count("\n") == 1
+        for word in words:
+            assert word in message
+        assert not (folder / "report.html").exists()
+
+    return check
+
+
+def test_folder_that_is_no_run(refused, tmp_path):
+    refused(tmp_path, "parameters.prm", "give the output folder of a run")
+    refused(tmp_path / "nowhere", "parameters.prm")
+    process = plot(tmp_path)
+    assert process.returncode == 1
+    assert process.stderr.count("\n") == 1
+
+
+def test_tables_that_are_missing_or_empty(refused, copy):
+    for name in ("segments.csv", "resets.csv", "steps.csv", "newton.csv",
+                 "mesh.csv"):
+        table = copy / name
+        text = table.read_text()
+        table.unlink()
+        refused(copy, name, "missing", "run the case again")
+        table.write_text("")
+        refused(copy, name, "is empty", "wait")
+        table.write_text(text.replace(",", ";", 1))
+        refused(copy, name, "damaged", "run the case again")
+        table.write_text(text)
+
+    table = copy / "segments.csv"
+    text = table.read_text()
+    table.write_text(text.split("\n")[0] + "\n")
+    refused(copy, "segments.csv", "no load step", "wait")
+    table.write_text(text.replace("wall_mesh_quality", "other", 1))
+    refused(copy, "segments.csv", "'wall_mesh_quality'")
+    table.write_text(text)
+    (copy / "log.txt").unlink()
+    refused(copy, "log.txt", "give the output folder of a run")
+
+
+def test_fields_that_are_missing(refused, copy):
+    next((copy / "vtu").glob("*_00001.pvtu")).unlink()
+    refused(copy, "solution_00001.pvtu", "cannot be read", "bring the file")
+    (copy / "solution.pvd").write_text("<VTKFile>")
+    refused(copy, "solution.pvd", "run the case again")
+
+
+def test_film_without_ffmpeg(refused, copy, monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    refused(copy, "ffmpeg", "leave out --mp4", options=["--mp4"])
+
+
+def test_help(capsys):
+    with pytest.raises(SystemExit) as end:
+        main(["--help"])
+    assert end.value.code == 0
+    said = capsys.readouterr().out
+    for word in ("RUN_DIR", "--frames", "--fibres", "--mp4", "report.html"):
+        assert word in said
