@@ -98,8 +98,8 @@ namespace lumbricus
                 << percent(answer_part)
                 << " of that at rest, in a motion that is largest in " << place
                 << ". Beyond it there is no equilibrium nearby. Let the loads "
-                   "stop short of it, or prescribe displacements or volumes of "
-                   "liquid where now a pressure is prescribed.";
+                   "stop short of it, or prescribe displacements where now a "
+                   "pressure is prescribed.";
         else if (softest_part < little)
           words << where.str()
                 << "buckling (a bifurcation). In a motion that is largest in "
