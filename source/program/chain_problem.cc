@@ -6,7 +6,6 @@
 #include <lumbricus/program/mesh_adaptation.h>
 #include <lumbricus/program/run_log.h>
 
-#include <iomanip>
 #include <iostream>
 #include <sstream>
 
@@ -22,6 +21,7 @@ namespace lumbricus
             dealii::TimerOutput::never,
             dealii::TimerOutput::wall_times)
     , model(parameters, timer, comm)
+    , watch(parameters, log, run_timer)
   {}
 
 
@@ -31,11 +31,6 @@ namespace lumbricus
   {
     dealii::TimerOutput::Scope scope(timer, "setup");
     model.create(checkpoint);
-    parameters.linear_solver.get()->report_to(
-      [this](const std::string &message) {
-        log << "        " << message << "\n";
-      });
-    model.equilibrium.report_to([this]() { show_progress(); });
   }
 
 
@@ -133,12 +128,12 @@ namespace lumbricus
                            const std::function<void()> &save)
   {
     log_header(log);
+    watch.begin_run(state.time);
     while (!parameters.load_stepping.finished(state.time))
       {
         const Costs before = costs();
         State       next   = state;
-        StepRecord  record = advance(next);
-        record.number      = step.number + 1;
+        StepRecord  record = advance(next, step.number + 1);
         if (parameters.adaptivity.due(record.number))
           adapt(next, record, results);
         record.softest_stiffness =
@@ -150,6 +145,7 @@ namespace lumbricus
         log_step(log, step, parameters.load_stepping.end_time());
         for (const AdaptationRecord &adaptation : step.adaptations)
           log_adaptation(log, adaptation);
+        watch.end_step(step);
         {
           dealii::TimerOutput::Scope scope(timer, "output");
           results.write(state, step);
@@ -230,10 +226,11 @@ namespace lumbricus
 
 
   StepRecord
-  ChainProblem::advance(State &state)
+  ChainProblem::advance(State &state, const unsigned int number)
   {
     LoadStepping &stepping = parameters.load_stepping;
     StepRecord    step;
+    step.number = number;
 
     const auto relaxation = model.relax_liquid_mesh(state);
     if (!relaxation.in_segment.empty())
@@ -244,10 +241,9 @@ namespace lumbricus
     while (true)
       try
         {
-          State next   = state;
-          next.time    = stepping.next_time(state.time);
-          next_time    = next.time;
-          n_iterations = 0;
+          State next = state;
+          next.time  = stepping.next_time(state.time);
+          watch.begin_step(number, next.time);
           parameters.predictor.predict(next);
           step.report = model.solve(next);
           step.time   = next.time;
@@ -297,19 +293,6 @@ namespace lumbricus
       }
     results.reinit();
     parameters.predictor.restart(state);
-  }
-
-
-
-  void
-  ChainProblem::show_progress()
-  {
-    std::ostringstream line;
-    line << "        to time " << next_time << " of "
-         << parameters.load_stepping.end_time() << ": Newton iteration "
-         << ++n_iterations << " of this step, " << std::fixed
-         << std::setprecision(0) << run_timer.wall_time() << " s";
-    log.progress(line.str());
   }
 
 

@@ -18,6 +18,7 @@ namespace lumbricus
       {"parameters", no_argument, nullptr, 'p'},
       {"check", no_argument, nullptr, 'c'},
       {"quiet", no_argument, nullptr, 'q'},
+      {"verbose", no_argument, nullptr, 'V'},
       {"progress", no_argument, nullptr, 'P'},
       {"set", required_argument, nullptr, 's'},
       {"output", required_argument, nullptr, 'o'},
@@ -48,6 +49,9 @@ namespace lumbricus
             break;
           case 'q':
             quiet = true;
+            break;
+          case 'V':
+            verbose = true;
             break;
           case 's':
             settings.emplace_back(optarg);
@@ -121,6 +125,9 @@ namespace lumbricus
          "      --progress             end with a line that says where the run "
          "is, as it\n"
          "                             does on a terminal without mpirun\n"
+         "      --verbose              say also what every Newton iteration and "
+         "reset\n"
+         "                             comes to\n"
          "  -q, --quiet                say only what is wrong; log.txt has the "
          "rest\n"
          "  --parameters               print all parameters with documentation\n"

@@ -87,7 +87,10 @@ namespace lumbricus
     if (!command_line.check)
       folder = std::make_unique<RunFolder>(parameters.output_folder, comm);
 
-    Log          log(comm, command_line.quiet, command_line.progress);
+    Log          log(comm,
+            command_line.quiet,
+            command_line.verbose,
+            command_line.progress);
     ChainProblem problem(parameters, log, comm);
     problem.setup(checkpoint.get());
 

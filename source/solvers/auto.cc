@@ -4,6 +4,7 @@
 #include <lumbricus/core/registry.h>
 #include <lumbricus/multigrid/v_cycle.h>
 #include <lumbricus/solvers/condensed_factor.h>
+#include <lumbricus/solvers/factor_kinds.h>
 #include <lumbricus/solvers/kept_preconditioner.h>
 
 #include <sstream>
@@ -38,31 +39,24 @@ namespace lumbricus
     }
 
   private:
-    Kind
+    InverseKind
     make(const Tangent &tangent, const unsigned int kind) override
     {
-      const MPI_Comm comm    = tangent.space.communicator();
-      const auto     factors = [&](const unsigned int i) {
-        return std::make_unique<CondensedFactor>(tangent,
-                                                 CondensedFactor::accuracies[i],
-                                                 comm);
-      };
       const auto n = tangent.space.dof_handler.n_dofs();
       if (n != n_decided)
         {
-          n_decided    = n;
-          auto planned = factors(0);
+          n_decided           = n;
+          const MPI_Comm comm = tangent.space.communicator();
+          const auto    &fast = CondensedFactor::accuracies[0];
+          auto planned = std::make_unique<CondensedFactor>(tangent, fast, comm);
           by_multigrid = tangent.space.triangulation.n_global_levels() > 1 &&
                          too_much(*planned, n, comm);
           if (!by_multigrid)
-            return {CondensedFactor::accuracies[0].name, std::move(planned)};
+            return {fast.name, std::move(planned)};
         }
       if (by_multigrid && kind == 0)
         return {VCycle::name, std::make_unique<VCycle>(tangent, multigrid)};
-      const unsigned int i = by_multigrid ? kind - 1 : kind;
-      if (i == CondensedFactor::accuracies.size())
-        return {};
-      return {CondensedFactor::accuracies[i].name, factors(i)};
+      return make_factors(tangent, by_multigrid ? kind - 1 : kind);
     }
 
     /** Decide, and say so. */

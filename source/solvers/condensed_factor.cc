@@ -7,24 +7,11 @@
 
 namespace lumbricus
 {
-  namespace
-  {
-    FreeNumbering
-    number_shared(const CellUnknowns &unknowns, const MPI_Comm comm)
-    {
-      FreeNumbering numbering;
-      numbering.reinit(unknowns, false, comm);
-      return numbering;
-    }
-  } // namespace
-
-
-
   CondensedFactor::CondensedFactor(const Tangent  &tangent,
                                    const Accuracy &accuracy,
                                    const MPI_Comm  comm)
     : tangent(tangent)
-    , numbering(number_shared(tangent.unknowns, comm))
+    , numbering(tangent.unknowns, false, comm)
     , mumps(comm,
             {tangent.symmetric, accuracy.pivoting, accuracy.compression},
             numbering)
@@ -148,9 +135,6 @@ namespace lumbricus
   double
   CondensedFactor::cost() const
   {
-    // A factorisation is arithmetic and some overhead, a back substitution
-    // reads the factors twice: fitted to what both took on meshes of 17,000 to
-    // 124,000 unknowns.
-    return 17. + mumps.factor_flops() / (200. * mumps.factor_entries());
+    return mumps.factor_cost();
   }
 } // namespace lumbricus

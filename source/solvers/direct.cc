@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/registry.h>
+#include <lumbricus/solvers/full_factor.h>
 #include <lumbricus/solvers/linear_solver.h>
-#include <lumbricus/solvers/mumps.h>
 
 #include <deal.II/base/timer.h>
+
+#include <memory>
 
 namespace lumbricus
 {
@@ -16,29 +18,29 @@ namespace lumbricus
     reinit(const Tangent &new_tangent) override
     {
       tangent = &new_tangent;
-      mumps.reset();
+      factors.reset();
     }
 
     void
     solve(CellVector &x, const CellVector &b, const double tolerance) override
     {
       dealii::Timer timer;
-      factor();
+      if (factors == nullptr)
+        factors =
+          std::make_unique<FullFactor>(*tangent, tangent->space.communicator());
+      factors->factor();
       ++counts.n_factorisations;
       counts.factor_seconds += timer.wall_time();
 
       // Iterative refinement makes up for pivots that were not the best.
       timer.restart();
       constexpr unsigned int most_refinements = 3;
-      CellVector             r(b);
+      CellVector             r(b), correction(b);
       x              = 0.;
       unsigned int n = 1;
       for (;; ++n)
         {
-          numbering.extract(r, values);
-          mumps->solve(values);
-          correction.reinit(b);
-          numbering.insert(values, correction);
+          factors->vmult(correction, r);
           x += correction;
           tangent->vmult(r, x);
           r.sadd(-1., 1., b);
@@ -51,36 +53,8 @@ namespace lumbricus
     }
 
   private:
-    void
-    factor()
-    {
-      const CellUnknowns &unknowns = tangent->unknowns;
-      if (mumps == nullptr)
-        {
-          const MPI_Comm comm = tangent->space.communicator();
-          numbering.reinit(unknowns, true, comm);
-          mumps = std::make_unique<Mumps<double>>(
-            comm,
-            Mumps<double>::Options{tangent->symmetric, true, 0.},
-            numbering);
-          mumps->analyse(unknowns, unknowns.n_cells(), 0);
-        }
-      mumps->begin();
-      std::vector<double> K;
-      for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
-        {
-          tangent->cell_matrix(i, K);
-          unknowns.apply_constraints(i, K);
-          mumps->add(unknowns.free_unknowns(i).size(), K.data());
-        }
-      mumps->factor();
-    }
-
-    const Tangent                 *tangent = nullptr;
-    FreeNumbering                  numbering;
-    std::unique_ptr<Mumps<double>> mumps;
-    std::vector<double>            values;
-    CellVector                     correction;
+    const Tangent              *tangent = nullptr;
+    std::unique_ptr<FullFactor> factors;
   };
 
   static const Register<LinearSolver, Direct>

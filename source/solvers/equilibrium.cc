@@ -114,14 +114,6 @@ namespace lumbricus
 
 
 
-  void
-  Equilibrium::report_to(const std::function<void()> &new_listener)
-  {
-    listener = new_listener;
-  }
-
-
-
   NonlinearProblem::Residual
   Equilibrium::residual(const Vector &x)
   {
@@ -152,8 +144,6 @@ namespace lumbricus
   Equilibrium::linearise(const Vector &x)
   {
     throw_if_interrupted(space.communicator());
-    if (listener)
-      listener();
     dealii::TimerOutput::Scope scope(timer, "assembly");
     assembler.linearise(x, time);
   }

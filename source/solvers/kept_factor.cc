@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/registry.h>
-#include <lumbricus/solvers/condensed_factor.h>
+#include <lumbricus/solvers/factor_kinds.h>
 #include <lumbricus/solvers/kept_preconditioner.h>
 
 namespace lumbricus
@@ -9,16 +9,10 @@ namespace lumbricus
    * fastest does not do. */
   class KeptFactor : public KeptPreconditioner
   {
-    Kind
+    InverseKind
     make(const Tangent &tangent, const unsigned int kind) override
     {
-      if (kind == CondensedFactor::accuracies.size())
-        return {};
-      const auto &accuracy = CondensedFactor::accuracies[kind];
-      return {accuracy.name,
-              std::make_unique<CondensedFactor>(tangent,
-                                                accuracy,
-                                                tangent.space.communicator())};
+      return make_factors(tangent, kind);
     }
   };
 

@@ -95,7 +95,7 @@ namespace lumbricus
     // Memory for one of them is enough.
     const std::string name = current.name;
     current                = {};
-    Kind next              = make(*tangent, kind + 1);
+    InverseKind next       = make(*tangent, kind + 1);
     AssertThrow(next.inverse != nullptr,
                 ExcNotConverged("The linear solver (" + name +
                                 (factored ? ") does not reach its tolerance "

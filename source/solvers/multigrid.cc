@@ -17,7 +17,7 @@ namespace lumbricus
     }
 
   private:
-    Kind
+    InverseKind
     make(const Tangent &tangent, const unsigned int kind) override
     {
       if (kind > 0)

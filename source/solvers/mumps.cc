@@ -329,6 +329,18 @@ namespace lumbricus
 
 
 
+  template <typename Number>
+  double
+  Mumps<Number>::factor_cost() const
+  {
+    // A factorisation is arithmetic and some overhead, a back substitution
+    // reads the factors twice: fitted to what both took on meshes of 17,000 to
+    // 124,000 unknowns.
+    return 17. + factor_flops() / (200. * factor_entries());
+  }
+
+
+
   template class Mumps<double>;
   template class Mumps<float>;
 } // namespace lumbricus

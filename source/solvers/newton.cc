@@ -96,10 +96,24 @@ namespace lumbricus
 
 
 
+  void
+  Newton::report_to(
+    const std::function<void(const NewtonIteration &)> &new_listener)
+  {
+    listener = new_listener;
+  }
+
+
+
   std::vector<NewtonIteration>
   Newton::solve(NonlinearProblem &problem, Vector &x) const
   {
     std::vector<NewtonIteration> history;
+    const auto                   note = [&](const NewtonIteration &iteration) {
+      history.push_back(iteration);
+      if (listener)
+        listener(iteration);
+    };
 
     Vector     current  = x;
     const auto balanced = [&](const NonlinearProblem::Residual &residual) {
@@ -155,8 +169,7 @@ namespace lumbricus
               break;
             if (whole || halvings == most_halvings)
               {
-                history.push_back(
-                  {trial_residual, problem.increment_size(dx), step_length});
+                note({trial_residual, problem.increment_size(dx), step_length});
                 give_up(trial_residual.valid ? "diverges" :
                                                "inverts an element",
                         trial);
@@ -167,7 +180,7 @@ namespace lumbricus
         problem.increments_taken();
         current  = trial;
         residual = trial_residual;
-        history.push_back({residual, problem.increment_size(dx), step_length});
+        note({residual, problem.increment_size(dx), step_length});
         if (step_length == 1. && balanced(residual) &&
             still_to_come(history) <= increment_tolerance)
           {

@@ -58,6 +58,14 @@ namespace lumbricus
 
 
 
+  void
+  ResetIteration::report_to(const Listener &new_listener)
+  {
+    listener = new_listener;
+  }
+
+
+
   LiquidMesh::Relaxation
   ResetIteration::relax_mesh(State              &state,
                              const MixedSpace   &space,
@@ -107,19 +115,23 @@ namespace lumbricus
         const bool hydrostatic = std::none_of(diverges.begin(),
                                               diverges.end(),
                                               [](const bool d) { return d; });
-        if (limit == 0 || (hydrostatic && n_resets >= least))
+        const bool done = limit == 0 || (hydrostatic && n_resets >= least);
+        if (!done && n_resets >= least)
+          check_progress(report.solves, diverges);
+        const std::vector<bool> is_reset =
+          done              ? std::vector<bool>(n_segments, false) :
+          n_resets >= least ? diverges :
+                              std::vector<bool>(n_segments, true);
+        if (listener)
+          listener(solve, is_reset);
+        if (done)
           return report;
 
-        if (n_resets >= least)
-          check_progress(report.solves, diverges);
-        if (n_resets < least)
-          diverges.assign(n_segments, true);
-
-        reset(state, diverges, space, anatomy);
+        reset(state, is_reset, space, anatomy);
         references.update_liquid(state);
         equilibrium.renew_interface(state.solution);
         for (unsigned int s = 0; s < n_segments; ++s)
-          report.n_resets[s] += diverges[s];
+          report.n_resets[s] += is_reset[s];
       }
   }
 

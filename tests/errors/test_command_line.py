@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 
 import pytest
@@ -239,9 +240,29 @@ def test_quiet_says_nothing_but_the_log_has_it(tmp_path):
     assert "Where the time went" in (tmp_path / "log.txt").read_text()
 
 
+def test_verbose_says_what_every_iteration_and_reset_comes_to(tmp_path):
+    """As many lines as the tables have rows, in the log too."""
+    result = run_well(HERE / "chain.prm", tmp_path, options=["--verbose"])
+    assert (tmp_path / "log.txt").read_text() in result.log
+    n_iterations = len(result.table("newton.csv"))
+    assert n_iterations > 3
+    assert len(re.findall(r"Newton \d+: force .*, volume .*, increment .*, "
+                          r"step length 1; \d+ linear", result.log)) == \
+        n_iterations
+    n_solves = len({(row["t"], row["cycle"], row["reset"])
+                    for row in result.table("resets.csv")})
+    assert len(re.findall(r"solved; divergence .* in segment \d", result.log)) \
+        == n_solves
+    n_resets = sum(row["resets"] for row in result.segments())
+    assert sum(int(n) for n in re.findall(r"reset \d+, of (\d+) segment",
+                                          result.log)) == n_resets > 0
+    plain = run_well(HERE / "chain.prm", tmp_path)
+    assert "Newton 1:" not in plain.log
+
+
 def test_nothing_on_a_terminal_only_goes_to_files(tmp_path):
     result = run_well(BLOCK, tmp_path)
-    assert "\r" not in result.log and "Newton iteration" not in result.log
+    assert "\r" not in result.log and "s left" not in result.log
     assert "\r" not in (tmp_path / "log.txt").read_text()
 
 
@@ -251,9 +272,10 @@ def test_progress_on_a_terminal(tmp_path):
     process = subprocess.run(["script", "-qec", command, "/dev/null"],
                              capture_output=True, text=True, timeout=60)
     assert process.returncode == 0, process.stdout
-    assert "Newton iteration 2 of this step" in process.stdout
+    assert "step 2, to time 1 of 1: reset 0, Newton 1" in process.stdout
+    assert re.search(r"about \d+ s left", process.stdout)
     assert "\033[K" in process.stdout
-    assert "Newton iteration" not in (tmp_path / "out/log.txt").read_text()
+    assert "s left" not in (tmp_path / "out/log.txt").read_text()
 
 
 def test_parameters_in_json(tmp_path):

@@ -34,3 +34,16 @@ def test_incompressible(tmp_path):
     for row in result.segments():
         assert row["wall_volume"] == pytest.approx(4., abs=1e-10)
     assert compression(result)[1.] == pytest.approx(OTHER_PROGRAMS, rel=2e-3)
+
+
+def test_warning_of_folded_cells(tmp_path):
+    """Pressed further, cells at the edge of the load fold, which the table had
+    and the log did not say."""
+    good = run_well(CASE, tmp_path / "good")
+    assert "Warning" not in good.log
+    folded = run_well(CASE, tmp_path / "folded", ["Time/End=1.6"])
+    first = next(row for row in folded.segments()
+                 if row["wall_mesh_quality"] <= 0)
+    assert folded.log.count("Warning") == 1
+    assert f"from time {first['t']:g} on the wall of segment 1 has a cell that " \
+        "is folded" in folded.log

@@ -4,7 +4,7 @@ what it chose, and goes on with factors where multigrid does not do."""
 import pathlib
 import re
 
-from lumbricus_run import run_well
+from lumbricus_run import SOURCE, run_well
 from test_invariance import equal
 
 SEGMENT = pathlib.Path(__file__).parent / "segment.prm"
@@ -37,3 +37,18 @@ def test_factors_follow_where_multigrid_does_not_do(tmp_path):
     assert "The linear solver goes on with factors, since multigrid needed more " \
            "than 11 iterations." in run.log
     equal(factors.segments(), run.segments(), 1e-8)
+
+
+def test_stiffness_contrast_of_a_million(tmp_path, monkeypatch):
+    """A finger of rubber with rings of steel wire stopped with exit code 2: no
+    factors in single precision do, and 'auto' knew no others."""
+    monkeypatch.chdir(SOURCE)
+    runs = [run_well(SOURCE / "parameters/soft_actuator/case.prm",
+                     tmp_path / method,
+                     ["Tissues/ring/Neo-Hooke/a=5e4", "Time/End=0.05",
+                      "Time/First step=0.0125", "Time/Largest step=0.0125",
+                      "Time/Result interval=0",
+                      "Output/Every=0", f"Linear solver/Method={method}"])
+            for method in ("auto", "direct")]
+    assert "goes on with factors in double precision" in runs[0].log
+    equal(*(run.segments() for run in runs), 1e-8)

@@ -19,8 +19,12 @@ namespace lumbricus
   class Log
   {
   public:
-    Log(const MPI_Comm comm, const bool quiet, const bool with_progress)
+    Log(const MPI_Comm comm,
+        const bool     quiet,
+        const bool     verbose,
+        const bool     with_progress)
       : active(dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+      , verbose(verbose)
       , on_terminal(active && !quiet)
       , shows_progress(on_terminal && (with_progress || is_watched()))
     {}
@@ -52,6 +56,14 @@ namespace lumbricus
       return *this;
     }
 
+    /** Say @p line where details are wanted (--verbose). */
+    void
+    detail(const std::string &line)
+    {
+      if (verbose)
+        *this << "        " << line << "\n";
+    }
+
     /** Show @p line at the end of the output, in place of the last one: only
      * where somebody looks at it, or where it was asked for; never in files. */
     void
@@ -76,6 +88,7 @@ namespace lumbricus
     }
 
     const bool    active;
+    const bool    verbose;
     const bool    on_terminal;
     const bool    shows_progress;
     std::ofstream file;

@@ -6,6 +6,7 @@
 #include <lumbricus/core/log.h>
 #include <lumbricus/output/results.h>
 #include <lumbricus/program/chain_model.h>
+#include <lumbricus/program/run_watch.h>
 
 #include <deal.II/base/timer.h>
 
@@ -65,9 +66,10 @@ namespace lumbricus
                StepRecord       &step,
                Results          &results);
 
-    /** Take one load step, as long as converges. Throws ExcSolveFailed. */
+    /** Take load step @p number, as long as converges. Throws ExcSolveFailed.
+     */
     StepRecord
-    advance(State &state);
+    advance(State &state, const unsigned int number);
 
     /** Adapt the mesh to @p state, which has converged. */
     void
@@ -87,10 +89,6 @@ namespace lumbricus
     Costs
     costs() const;
 
-    /** Show where the run is, on a terminal. */
-    void
-    show_progress();
-
     /** Note what @p step has cost, which began at @p before. */
     void
     charge(StepRecord &step, const Costs &before) const;
@@ -99,14 +97,11 @@ namespace lumbricus
     Log           &log;
     const MPI_Comm comm;
 
-    /** Newton iterations of the load step that is being tried, and its end. */
-    unsigned int n_iterations = 0;
-    double       next_time    = 0.;
-
     dealii::Timer       run_timer;
     double              seconds_before_restart = 0.;
     dealii::TimerOutput timer;
     ChainModel          model;
+    RunWatch            watch;
   };
 } // namespace lumbricus
 

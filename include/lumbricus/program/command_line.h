@@ -19,6 +19,7 @@ namespace lumbricus
     bool                     parameters = false;
     bool                     check      = false;
     bool                     quiet      = false;
+    bool                     verbose    = false;
     bool                     progress   = false;
     std::string              parameter_file;
     std::string              output_folder;

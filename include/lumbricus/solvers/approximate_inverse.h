@@ -4,6 +4,9 @@
 
 #include <lumbricus/discretization/cell_unknowns.h>
 
+#include <memory>
+#include <string>
+
 namespace lumbricus
 {
   /**
@@ -31,6 +34,15 @@ namespace lumbricus
      * operations, so that it is the same in every run. */
     virtual double
     cost() const = 0;
+  };
+
+
+
+  /** A kind of inverse, and what to call it when speaking to the user. */
+  struct InverseKind
+  {
+    std::string                         name;
+    std::unique_ptr<ApproximateInverse> inverse;
   };
 } // namespace lumbricus
 

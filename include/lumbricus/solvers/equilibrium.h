@@ -8,7 +8,6 @@
 
 #include <deal.II/base/timer.h>
 
-#include <functional>
 #include <vector>
 
 namespace lumbricus
@@ -45,10 +44,6 @@ namespace lumbricus
      * @p solution. */
     void
     renew_interface(const Vector &solution);
-
-    /** Call @p listener at every linearisation, that is, Newton iteration. */
-    void
-    report_to(const std::function<void()> &listener);
 
     /**
      * Whether a node is farther from where it was than the body at rest is
@@ -101,8 +96,6 @@ namespace lumbricus
     std::vector<bool> is_pressure;
     Vector            r;
     CellVector        increment;
-
-    std::function<void()> listener;
   };
 } // namespace lumbricus
 

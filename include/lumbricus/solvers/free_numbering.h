@@ -15,6 +15,16 @@ namespace lumbricus
   class FreeNumbering
   {
   public:
+    FreeNumbering() = default;
+
+    /** As reinit(). Collective. */
+    FreeNumbering(const CellUnknowns &unknowns,
+                  const bool          with_private,
+                  const MPI_Comm      comm)
+    {
+      reinit(unknowns, with_private, comm);
+    }
+
     /** Anew when the constraints are new. Collective. */
     void
     reinit(const CellUnknowns &unknowns,

@@ -6,8 +6,6 @@
 #include <lumbricus/solvers/factor_age.h>
 #include <lumbricus/solvers/linear_solver.h>
 
-#include <memory>
-#include <string>
 
 namespace lumbricus
 {
@@ -34,17 +32,10 @@ namespace lumbricus
           const double      wanted_tolerance) override;
 
   protected:
-    /** A kind of inverse, and what to call it when speaking to the user. */
-    struct Kind
-    {
-      std::string                         name;
-      std::unique_ptr<ApproximateInverse> inverse;
-    };
-
     /** The inverse of kind @p kind for the pattern of @p tangent: the fastest
      * is 0, each one more is more robust; without an inverse where there is
      * none left. Collective. */
-    virtual Kind
+    virtual InverseKind
     make(const Tangent &tangent, const unsigned int kind) = 0;
 
   private:
@@ -66,7 +57,7 @@ namespace lumbricus
     const Tangent                  *tangent         = nullptr;
     dealii::types::global_dof_index n_unknowns      = 0;
     unsigned int                    kind            = 0;
-    Kind                            current;
+    InverseKind                     current;
     bool                            factored = false;
     FactorAge                       age;
   };

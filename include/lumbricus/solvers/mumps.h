@@ -89,6 +89,10 @@ namespace lumbricus
     double
     factor_entries() const;
 
+    /** What the last factorisation cost, in back substitutions. */
+    double
+    factor_cost() const;
+
   private:
     struct Instance;
 

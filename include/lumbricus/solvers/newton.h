@@ -5,6 +5,7 @@
 #include <lumbricus/core/parameter_owner.h>
 #include <lumbricus/core/state.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -93,6 +94,10 @@ namespace lumbricus
     std::vector<NewtonIteration>
     solve(NonlinearProblem &problem, Vector &x) const;
 
+    /** Call @p new_listener with every iteration, as it ends. */
+    void
+    report_to(const std::function<void(const NewtonIteration &)> &new_listener);
+
   private:
     /** How accurately to solve the linear system at a residual, when it was
      * @p last_merit one iteration earlier (0: there was none). */
@@ -106,6 +111,8 @@ namespace lumbricus
     unsigned int most_iterations     = 20;
     unsigned int most_halvings       = 6;
     double       growth_allowed      = 10.;
+
+    std::function<void(const NewtonIteration &)> listener;
   };
 } // namespace lumbricus
 

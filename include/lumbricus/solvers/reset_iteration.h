@@ -7,6 +7,7 @@
 #include <lumbricus/solvers/equilibrium.h>
 #include <lumbricus/solvers/liquid_mesh.h>
 
+#include <functional>
 #include <vector>
 
 namespace lumbricus
@@ -34,6 +35,10 @@ namespace lumbricus
       std::vector<double>          divergence;
     };
 
+    /** Called after every solve, with which segments are reset then. */
+    using Listener =
+      std::function<void(const Solve &, const std::vector<bool> &)>;
+
     /** What one load step took. */
     struct Report
     {
@@ -54,6 +59,9 @@ namespace lumbricus
           const ShapeCache    &shapes,
           const Anatomy       &anatomy,
           dealii::TimerOutput &timer) const;
+
+    void
+    report_to(const Listener &new_listener);
 
     /** Before a load step from @p state: relax the mesh inside the liquid where
      * it asks for it, which is a reset too. Collective. */
@@ -84,6 +92,7 @@ namespace lumbricus
     unsigned int limit          = 40;
     double       pressure_floor = 1e-6;
     LiquidMesh   liquid_mesh;
+    Listener     listener;
   };
 } // namespace lumbricus
 
