@@ -19,6 +19,8 @@ namespace lumbricus
   class Log
   {
   public:
+    /** Write to the terminal unless @p quiet; show progress() there where it is
+     * watched, or @p with_progress. */
     Log(const MPI_Comm comm, const bool quiet, const bool with_progress)
       : active(dealii::Utilities::MPI::this_mpi_process(comm) == 0)
       , on_terminal(active && !quiet)
@@ -33,6 +35,7 @@ namespace lumbricus
         file.open(file_name, append ? std::ios::app : std::ios::out);
     }
 
+    /** Write @p item at once. Does nothing on ranks other than 0. */
     template <typename T>
     Log &
     operator<<(const T &item)

@@ -26,11 +26,11 @@ namespace lumbricus
    */
   struct MaterialResponse
   {
-    dealii::Tensor<2, dim> P;
-    dealii::Tensor<2, dim> Q;
-    double                 c;
-    double                 dc_dp;
-    double                 A[dim * dim][dim * dim];
+    dealii::Tensor<2, dim> P;     ///< [N/mm^2], [i][J]
+    dealii::Tensor<2, dim> Q;     ///< [i][J]
+    double                 c;     ///< violated volume constraint
+    double                 dc_dp; ///< [mm^2/N]
+    double                 A[dim * dim][dim * dim]; ///< [N/mm^2]
   };
 
 

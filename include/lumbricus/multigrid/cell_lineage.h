@@ -23,6 +23,7 @@ namespace lumbricus
      * edges in each of its directions [mm]. */
     std::array<double, dim> extent;
 
+    /** How often a cell of the unrefined mesh was cut to get it. */
     unsigned int
     level() const
     {
