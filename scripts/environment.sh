@@ -36,7 +36,7 @@ build_packages=(g++ cmake ninja-build libdeal.ii-dev libmumps-dev
   libopenblas0-serial openmpi-bin)
 picture_packages=(python3-numpy python3-matplotlib)
 test_packages=(libgtest-dev numdiff python3-pytest python3-numpy
-  python3-matplotlib)
+  python3-matplotlib doxygen)
 
 # Open MPI refuses to start for root, as in containers, without the first two,
 # and more ranks than cores without the third; without the last, runs side by

@@ -8,6 +8,10 @@
 
 namespace lumbricus
 {
+  /**
+   * Fixed parts of the mesh: of n cells ceil(f_r n) are refined, and as many
+   * families merged as there are whole ones in f_m n cells.
+   */
   class FractionOfCells : public MarkingRule
   {
   public:

@@ -7,6 +7,7 @@
 
 namespace lumbricus
 {
+  /** The number of an unknown, over all ranks. */
   using Index = dealii::types::global_dof_index;
 
 

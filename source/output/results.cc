@@ -285,8 +285,9 @@ namespace lumbricus
       const auto &n_resets = record.report.n_resets;
       mesh << step.number << step.time << cycle << record.n_cells
            << record.n_unknowns << record.n_refined << record.n_coarsened
-           << record.converged << record.estimated_error << record.volume_change
-           << record.pressure_change << record.report.n_newton_iterations()
+           << (record.converged || !record.any) << record.estimated_error
+           << record.volume_change << record.pressure_change
+           << record.report.n_newton_iterations()
            << (n_resets.empty() ?
                  0 :
                  *std::max_element(n_resets.begin(), n_resets.end()));

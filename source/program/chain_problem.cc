@@ -283,14 +283,18 @@ namespace lumbricus
   void
   ChainProblem::adapt(State &state, StepRecord &step, Results &results)
   {
+    bool any = false;
     for (unsigned int i = 0; i < parameters.adaptivity.n_cycles(); ++i)
       {
         const auto record =
           adapt_mesh(model, state, step.reports().back()->solves.back(), log);
         step.adaptations.push_back(record);
+        any = any || record.any;
         if (!record.converged)
           break;
       }
+    if (!any)
+      return;
     results.reinit();
     parameters.predictor.restart(state);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/interruption.h>
 #include <lumbricus/program/chain_model.h>
 #include <lumbricus/program/stability_watch.h>
 
@@ -27,6 +28,9 @@ namespace lumbricus
   {
     if (!watch)
       return std::numeric_limits<double>::quiet_NaN();
+    // What would be saved is the state before this step, which the mesh may not
+    // be that of any more.
+    const Uninterrupted        uninterrupted;
     dealii::TimerOutput::Scope scope(model.timer, "stability");
     model.references.update(state);
     model.equilibrium.set_time(state.time, state.solution);
@@ -62,6 +66,12 @@ namespace lumbricus
       {
         // As good as singular.
         return 0.;
+      }
+    catch (const ExcSolveFailed &exception)
+      {
+        log << "        the stability is not known: "
+            << plain_message(exception) << "\n";
+        return std::numeric_limits<double>::quiet_NaN();
       }
   }
 } // namespace lumbricus

@@ -49,25 +49,29 @@ namespace lumbricus
 
 
 
+  /** What MUMPS is called with: its structure, by the numbers of its manual,
+   * which start at one. */
   template <typename Number>
   struct Mumps<Number>::Instance
   {
+    /** Of dmumps_c.h or smumps_c.h. */
     typename Precision<Number>::Data data;
 
-    // ICNTL, INFOG and RINFOG by the numbers of MUMPS' manual, which start at
-    // one.
+    /** ICNTL(i), an option. */
     MUMPS_INT &
     control(const int i)
     {
       return data.icntl[i - 1];
     }
 
+    /** INFOG(i), the same on all ranks; what is negative is an error. */
     MUMPS_INT
     info(const int i) const
     {
       return data.infog[i - 1];
     }
 
+    /** RINFOG(i), the same on all ranks. */
     double
     real_info(const int i) const
     {

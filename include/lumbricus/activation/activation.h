@@ -17,10 +17,9 @@ namespace lumbricus
   {
   public:
     /**
-     * Called once before the first value().
-     * @param muscle the name of the muscle, for messages; @param n_segments
-     * the length of the chain. Throws ExcInput (an expression that does not
-     * parse).
+     * Called once before the first value(), with the name of the muscle, for
+     * messages, and the number of segments in the chain. Throws ExcInput (an
+     * expression that does not parse).
      */
     virtual void
     initialize(const std::string & /*muscle*/,

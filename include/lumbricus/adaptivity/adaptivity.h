@@ -38,6 +38,7 @@ namespace lumbricus
     unsigned int
     n_cycles() const;
 
+    /** What the errors are estimated by. */
     const ErrorEstimator &
     estimator() const;
 

@@ -9,6 +9,7 @@
 
 namespace lumbricus
 {
+  /** A mesh that p4est parts among the ranks. */
   using ParallelMesh = dealii::parallel::distributed::Triangulation<dim>;
 
 

@@ -16,17 +16,18 @@ namespace lumbricus
   class MarkingRule : public ParameterOwner
   {
   public:
+    /** How many, on all ranks. */
     struct Counts
     {
-      std::size_t refined = 0;
-      std::size_t merged  = 0;
+      std::size_t refined = 0; ///< cells to cut into eight
+      std::size_t merged  = 0; ///< families to make one cell of
     };
 
     /** The mesh there is. */
     struct Mesh
     {
-      std::size_t n_cells    = 0;
-      std::size_t n_unknowns = 0;
+      std::size_t n_cells    = 0; ///< active, on all ranks
+      std::size_t n_unknowns = 0; ///< free or not, on all ranks
     };
 
     /**

@@ -29,9 +29,12 @@ namespace lumbricus
     void
     initialize(const Anatomy &anatomy, const unsigned int least);
 
+    /** The level to which cells of a tissue may be merged; 0 is the coarse
+     * mesh. */
     unsigned int
     coarsest(const unsigned int tissue) const;
 
+    /** The level to which cells of a tissue may be refined. */
     unsigned int
     finest(const unsigned int tissue) const;
 

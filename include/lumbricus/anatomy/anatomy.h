@@ -22,6 +22,7 @@ namespace lumbricus
   class Anatomy : public ParameterOwner
   {
   public:
+    /** A segment chain, until parameters say otherwise. */
     Anatomy();
 
     void
@@ -48,6 +49,7 @@ namespace lumbricus
       const dealii::parallel::TriangulationBase<dim> &triangulation,
       const std::vector<double>                      &times) const;
 
+    /** The shape of the body. */
     const Geometry &
     geometry() const;
 
@@ -55,6 +57,7 @@ namespace lumbricus
     const Tissue &
     tissue(const unsigned int i) const;
 
+    /** Whether tissue number @p tissue is a liquid, which is reset. */
     bool
     is_liquid(const unsigned int tissue) const;
 
@@ -66,9 +69,12 @@ namespace lumbricus
     const std::vector<const Muscle *> &
     muscles_of(const unsigned int tissue) const;
 
+    /** How many muscles the tissues name. */
     unsigned int
     n_muscles() const;
 
+    /** Muscle number @p i of n_muscles(), in the order in which tissues name
+     * them first. */
     const Muscle &
     muscle(const unsigned int i) const;
 

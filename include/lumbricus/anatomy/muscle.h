@@ -14,6 +14,7 @@ namespace lumbricus
   class Muscle : public ParameterOwner
   {
   public:
+    /** The muscle of the section Muscles/@p name. */
     explicit Muscle(const std::string &name);
 
     void
@@ -30,6 +31,7 @@ namespace lumbricus
     void
     initialize(const unsigned int n_segments);
 
+    /** The name of its section, as tissues name it. */
     const std::string &
     name() const;
 

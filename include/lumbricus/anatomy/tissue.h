@@ -14,6 +14,7 @@ namespace lumbricus
   class Tissue : public ParameterOwner
   {
   public:
+    /** The tissue of the section Tissues/@p name. */
     explicit Tissue(const std::string &name);
 
     void
@@ -26,9 +27,11 @@ namespace lumbricus
     void
     check_parameters() const override;
 
+    /** The name of its section, see TissueName. */
     const std::string &
     name() const;
 
+    /** Its constitutive law. */
     const MaterialLaw &
     law() const;
 

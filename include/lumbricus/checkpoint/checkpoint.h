@@ -13,8 +13,8 @@
 namespace lumbricus
 {
   /**
-   * Write all that a run needs to go on to checkpoints/<step> in its folder:
-   * mesh, cells.<rank>, progress, parameters.prm, and last a MANIFEST with
+   * Write all that a run needs to go on to checkpoints/STEP in its folder:
+   * mesh, cells.RANK, progress, parameters.prm, and last a MANIFEST with
    * their checksums, read back from disk. Without a manifest a checkpoint does
    * not count. Of older ones the newest is kept. Throws ExcSolveFailed, and
    * leaves the older ones as they are, where that is not possible (the disk is

@@ -10,9 +10,11 @@
 namespace lumbricus
 {
   /**
+   * @defgroup exceptions Exceptions
    * The three ways a run can go wrong that are not bugs. Each carries one
    * message that names what is wrong (parameter, segment, time, value) and
    * what to do about it. All three are thrown on every rank alike.
+   * @{
    */
 
   /** The user's input is wrong: the program ends with exit code 1. */
@@ -32,6 +34,7 @@ namespace lumbricus
       , what_is_wrong(what)
     {}
 
+    /** The same about a parameter in @p section: its path has that in front. */
     ExcParameter
     in_section(const std::string &section) const
     {
@@ -56,6 +59,8 @@ namespace lumbricus
 
   /** The run cannot go on: exit code 2, with the last good state on disk. */
   DeclException1(ExcSolveFailed, std::string, << arg1);
+
+  /** @} */
 
   /** Whether it is one of the three above that are thrown on all ranks,
    * ExcInput, ExcNotConverged or ExcSolveFailed; anything else is a bug. */

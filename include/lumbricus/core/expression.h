@@ -44,6 +44,7 @@ namespace lumbricus
       return name;
     }
 
+    /** The formula as the user wrote it. */
     const std::string &
     formula() const
     {

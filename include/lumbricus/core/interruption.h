@@ -32,7 +32,9 @@ namespace lumbricus
   class Uninterrupted
   {
   public:
+    /** From here on throw_if_interrupted() does nothing. */
     Uninterrupted();
+    /** Up to here, where this is the only one. */
     ~Uninterrupted();
 
     Uninterrupted(const Uninterrupted &) = delete;

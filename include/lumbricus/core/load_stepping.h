@@ -20,6 +20,7 @@ namespace lumbricus
     void
     check_parameters() const override;
 
+    /** Where the run ends [time]; it starts at 0. */
     double
     end_time() const;
 

@@ -19,6 +19,9 @@ namespace lumbricus
   class Log
   {
   public:
+    /** Write to the terminal unless @p quiet, and detail() only where
+     * @p verbose; show progress() there where it is watched, or
+     * @p with_progress. */
     Log(const MPI_Comm comm,
         const bool     quiet,
         const bool     verbose,
@@ -37,6 +40,7 @@ namespace lumbricus
         file.open(file_name, append ? std::ios::app : std::ios::out);
     }
 
+    /** Write @p item at once. Does nothing on ranks other than 0. */
     template <typename T>
     Log &
     operator<<(const T &item)

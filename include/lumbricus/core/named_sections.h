@@ -55,6 +55,8 @@ namespace lumbricus
       return extended;
     }
 
+    /** Check those of every section; what is thrown names the section. Throws
+     * ExcInput. */
     void
     check_parameters() const
     {
@@ -73,18 +75,21 @@ namespace lumbricus
       return nullptr;
     }
 
+    /** How many sections there are. */
     std::size_t
     size() const
     {
       return sections.size();
     }
 
+    /** Object number @p i, in the order of the names. */
     T &
     operator[](const std::size_t i)
     {
       return *sections[i].second;
     }
 
+    /** Object number @p i, in the order of the names. */
     const T &
     operator[](const std::size_t i) const
     {

@@ -14,6 +14,7 @@ namespace lumbricus
   class PositiveNumber : public dealii::Patterns::PatternBase
   {
   public:
+    /** Whether @p text is one, and nothing else. */
     bool
     match(const std::string &text) const override
     {
@@ -23,12 +24,14 @@ namespace lumbricus
       return std::isfinite(value) && value > 0;
     }
 
+    /** What messages and the parameter reference say. */
     std::string
     description(const OutputStyle /*style*/ = Machine) const override
     {
       return "[A number > 0]";
     }
 
+    /** A copy, as dealii::ParameterHandler keeps it. */
     std::unique_ptr<PatternBase>
     clone() const override
     {

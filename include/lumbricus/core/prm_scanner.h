@@ -10,10 +10,12 @@ namespace lumbricus
   /** One `set` or `subsection` line of a parameter file. */
   struct PrmLine
   {
+    /** Counted from one. */
     unsigned int number;
     /** "Section/Subsection/Name" of the entry, or of the section itself. */
     std::string path;
-    bool        is_section;
+    /** Whether it opens a section; else it sets an entry. */
+    bool is_section;
   };
 
   /**

@@ -26,12 +26,16 @@ namespace lumbricus
   class Registry
   {
   public:
+    /** What is known of an implementation. */
     struct Entry
     {
-      std::string                            description;
+      /** A sentence for the parameter reference. */
+      std::string description;
+      /** Makes one, with the default values of its parameters. */
       std::function<std::unique_ptr<Base>()> create;
     };
 
+    /** All there are, by name; complete before main() starts. */
     static std::map<std::string, Entry> &
     entries()
     {
@@ -39,6 +43,7 @@ namespace lumbricus
       return all;
     }
 
+    /** Make the one called @p name, which has to be there. */
     static std::unique_ptr<Base>
     create(const std::string &name)
     {
@@ -71,9 +76,14 @@ namespace lumbricus
 
 
 
+  /** Adds @p Derived to the implementations of @p Base when the program, or the
+   * library it is in, is loaded. */
   template <class Base, class Derived>
   struct Register
   {
+    /**
+     * Under @p name; @p description is a sentence for the parameter reference.
+     */
     Register(const std::string &name, const std::string &description)
     {
       Registry<Base>::entries()[name] = {description, []() {
@@ -92,6 +102,11 @@ namespace lumbricus
   class Choice : public ParameterOwner
   {
   public:
+    /**
+     * The entry @p entry with this default, where empty means that the user has
+     * to choose; the reference has @p documentation and a sentence for each
+     * implementation.
+     */
     Choice(const std::string &entry,
            const std::string &default_name,
            const std::string &documentation)
@@ -141,6 +156,7 @@ namespace lumbricus
         within_section(name, [&]() { object->check_parameters(); });
     }
 
+    /** What the entry says; empty where nothing was chosen. */
     const std::string &
     chosen_name() const
     {
@@ -155,6 +171,7 @@ namespace lumbricus
       return object == objects.end() ? nullptr : object->second.get();
     }
 
+    /** The object chosen, or nullptr where the entry was left empty. */
     Base *
     get()
     {
@@ -162,6 +179,7 @@ namespace lumbricus
       return object == objects.end() ? nullptr : object->second.get();
     }
 
+    /** The object chosen, where there is one. */
     const Base &
     operator*() const
     {
@@ -169,6 +187,7 @@ namespace lumbricus
       return *get();
     }
 
+    /** The object chosen, where there is one. */
     const Base *
     operator->() const
     {

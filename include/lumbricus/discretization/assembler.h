@@ -34,9 +34,11 @@ namespace lumbricus
       double force_level = 0.;
       /** The smallest det F at any quadrature point, and where it is. Where
        * it is not positive the vector is not to be used. */
-      double       min_J         = 1.;
+      double min_J = 1.;
+      /** The segment of min_J, from zero. */
       unsigned int min_J_segment = 0;
 
+      /** Whether no cell is folded: det F > 0 at all quadrature points. */
       bool
       valid() const
       {
@@ -44,6 +46,8 @@ namespace lumbricus
       }
     };
 
+    /** All of these are kept by reference, and have to be up to date when they
+     * are used: @p references at the time, @p supports at the solution. */
     Assembler(const MixedSpace         &space,
               const ShapeCache         &shapes,
               const Anatomy            &anatomy,
@@ -71,6 +75,8 @@ namespace lumbricus
     const Tangent &
     tangent() const;
 
+    /** That of linearise(): -r, and what the inhomogeneities of the constraints
+     * add to it [N and mm^3]. */
     const CellVector &
     right_hand_side() const;
 

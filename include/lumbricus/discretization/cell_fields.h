@@ -25,8 +25,11 @@ namespace lumbricus
   public:
     /** The first components of displacement and Cauchy stress. */
     static constexpr unsigned int displacement_component = 0;
-    static constexpr unsigned int stress_component       = dim + 1;
+    /** That of the Cauchy stress; the pressure is in between. */
+    static constexpr unsigned int stress_component = dim + 1;
 
+    /** Names the fields, by the muscles of @p anatomy; there is nothing to see
+     * before reinit() and update(). */
     CellFields(const MixedSpace     &space,
                const ShapeCache     &shapes,
                const Anatomy        &anatomy,
@@ -46,10 +49,14 @@ namespace lumbricus
     const std::vector<std::string> &
     names() const;
 
+    /**
+     * One per component: whether it is a scalar or part of a vector or tensor.
+     */
     const std::vector<
       dealii::DataComponentInterpretation::DataComponentInterpretation> &
     interpretations() const;
 
+    /** That of values(): as many FE_DGQ(2) as there are names(). */
     const dealii::DoFHandler<dim> &
     dof_handler() const;
 

@@ -13,6 +13,7 @@ namespace lumbricus
 
 
 
+  /** The key of @p cell, of any level. */
   template <typename CellIterator>
   CellKey
   cell_key(const CellIterator &cell)

@@ -24,6 +24,7 @@ namespace lumbricus
   class CellLinearisation
   {
   public:
+    /** Rows and columns of the matrix. */
     static constexpr unsigned int n_unknowns = CellUnknowns::n_per_cell;
 
     /** Set what belongs to quadrature point @p q, with the volume @p JxW. */

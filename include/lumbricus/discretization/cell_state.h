@@ -16,12 +16,17 @@ namespace lumbricus
    */
   struct CellState
   {
+    /** How many numbers u, u_ref and u_vol are each. */
     static constexpr unsigned int n_displacements = dim * MixedSpace::n_nodes;
-    static constexpr unsigned int pressure_begin  = n_displacements;
+    /** Where the modes of p begin, behind u. */
+    static constexpr unsigned int pressure_begin = n_displacements;
+    /** Where u_ref begins. */
     static constexpr unsigned int rest_begin =
       n_displacements + MixedSpace::n_pressure_modes;
+    /** Where u_vol begins. */
     static constexpr unsigned int volume_begin = rest_begin + n_displacements;
-    static constexpr unsigned int size         = volume_begin + n_displacements;
+    /** How many numbers there are: 247. */
+    static constexpr unsigned int size = volume_begin + n_displacements;
   };
 
 
@@ -30,6 +35,7 @@ namespace lumbricus
   class CellStateAccess
   {
   public:
+    /** For the cells of @p space, which is kept by reference. */
     explicit CellStateAccess(const MixedSpace &space);
 
     /** Read that of @p cell, an active one of MixedSpace::dof_handler: u and p

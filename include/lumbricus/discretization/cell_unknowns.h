@@ -32,6 +32,7 @@ namespace lumbricus
   class CellUnknowns
   {
   public:
+    /** Unknowns of a cell: 81 displacements and 4 pressures. */
     static constexpr unsigned int n_per_cell =
       dim * MixedSpace::n_nodes + MixedSpace::n_pressure_modes;
     /** Unknowns that a cell shares with no other one. */
@@ -52,6 +53,8 @@ namespace lumbricus
       return dim + m;
     }
 
+    /** For the cells of @p space, which is kept by reference; empty before
+     * reinit(). */
     explicit CellUnknowns(const MixedSpace &space);
 
     /** Anew after every change of the mesh or the constraints. Collective. */
@@ -126,6 +129,8 @@ namespace lumbricus
       return constrained;
     }
 
+    /** How many cells there are: the owned ones or, on a coarser mesh, those
+     * given to reinit(). */
     unsigned int
     n_cells() const
     {

@@ -20,19 +20,26 @@ namespace lumbricus
   class ElementKernel
   {
   public:
+    /** Nodes of a cell. */
     static constexpr unsigned int n_nodes = MixedSpace::n_nodes;
+    /** Pressures of a cell. */
     static constexpr unsigned int n_modes = MixedSpace::n_pressure_modes;
-    static constexpr unsigned int n_q     = MixedSpace::n_q_points;
-    static constexpr unsigned int padded  = ShapeCache::padded_nodes;
+    /** Quadrature points of a cell. */
+    static constexpr unsigned int n_q = MixedSpace::n_q_points;
+    /** Nodes with padding. */
+    static constexpr unsigned int padded = ShapeCache::padded_nodes;
 
     /** Unknowns of the cell: set before evaluate(). Padding stays zero. */
     double u[dim][padded] = {};
-    double p[n_modes]     = {};
+    /** Pressure modes [N/mm^2]: set before evaluate(). */
+    double p[n_modes] = {};
 
     /** Deformation gradients at the quadrature points, for outputs too. */
     std::array<dealii::Tensor<2, dim>, n_q> F;
 
+    /** Nodal forces [N], by evaluate(): [i][n]. Padding is zero. */
     double force[dim][padded];
+    /** Violated volume constraint by pressure mode [mm^3], by evaluate(). */
     double volume[n_modes];
 
     /** Read u and p of @p cell, and its indices, from a ghosted vector. */

@@ -30,8 +30,10 @@ namespace lumbricus
   /** The least scaled Jacobian of a segment's cells; 1 where it has none. */
   struct MeshQuality
   {
+    /** Of the cells of its liquid. */
     double liquid = 1.;
-    double wall   = 1.;
+    /** Of all its other cells. */
+    double wall = 1.;
   };
 
   /** That of every segment, in the shape X + u, where @p relevant_solution is a

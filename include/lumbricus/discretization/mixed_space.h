@@ -38,11 +38,13 @@ namespace lumbricus
   class MixedSpace
   {
   public:
-    static constexpr unsigned int degree           = 2;
-    static constexpr unsigned int n_nodes          = 27;
-    static constexpr unsigned int n_pressure_modes = 4;
-    static constexpr unsigned int n_q_points       = 27;
+    static constexpr unsigned int degree           = 2;  ///< of displacements
+    static constexpr unsigned int n_nodes          = 27; ///< of a cell
+    static constexpr unsigned int n_pressure_modes = 4;  ///< of a cell
+    static constexpr unsigned int n_q_points       = 27; ///< of a cell
 
+    /** On @p triangulation, which is kept by reference and may be coarse or
+     * empty still. Numbers nothing: see distribute_dofs(). */
     explicit MixedSpace(const dealii::Triangulation<dim> &triangulation);
 
     /** Which cells, by their material id, have displacements that they do not
@@ -71,24 +73,31 @@ namespace lumbricus
     Vector
     with_ghosts(const Vector &solution) const;
 
+    /** That of the mesh. */
     MPI_Comm
     communicator() const;
 
+    /** The mesh at rest, which never moves. */
     const dealii::Triangulation<dim> &triangulation;
 
     /** The element of a cell, without the nothing. */
     const dealii::FESystem<dim>              fe;
-    const dealii::FESystem<dim>              rest_fe;
-    const dealii::QGauss<dim>                quadrature;
-    const dealii::QGauss<dim - 1>            face_quadrature;
-    const dealii::FEValuesExtractors::Vector displacement;
-    const dealii::FEValuesExtractors::Scalar pressure;
+    const dealii::FESystem<dim>              rest_fe;    ///< of u_ref and u_vol
+    const dealii::QGauss<dim>                quadrature; ///< 3 x 3 x 3
+    const dealii::QGauss<dim - 1>            face_quadrature; ///< 3 x 3
+    const dealii::FEValuesExtractors::Vector displacement;    ///< of fe
+    const dealii::FEValuesExtractors::Scalar pressure;        ///< of fe
 
+    /** The triquadratic shape of the cells at rest. */
     dealii::MappingQCache<dim> mapping;
-    dealii::DoFHandler<dim>    dof_handler;
-    dealii::DoFHandler<dim>    rest_dof_handler;
-    dealii::IndexSet           locally_owned;
-    dealii::IndexSet           locally_relevant;
+    /** Numbers u and p. */
+    dealii::DoFHandler<dim> dof_handler;
+    /** Numbers u_ref and u_vol. */
+    dealii::DoFHandler<dim> rest_dof_handler;
+    /** The unknowns of dof_handler that this rank owns. */
+    dealii::IndexSet locally_owned;
+    /** Those, and all others of its own cells and of the ghosts around. */
+    dealii::IndexSet locally_relevant;
 
     /** Index on the cell of displacement component c at node n: [c][n]. */
     std::array<std::array<unsigned int, n_nodes>, dim> displacement_dof;

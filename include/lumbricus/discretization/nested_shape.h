@@ -22,6 +22,7 @@ namespace lumbricus
   class NestedShape
   {
   public:
+    /** Of cells with maps of @p degree in every direction. */
     explicit NestedShape(const unsigned int degree);
 
     /** The level up to which cells follow the manifolds. */

@@ -19,6 +19,7 @@ namespace lumbricus
   class ReferenceField
   {
   public:
+    /** On the mesh of @p space; all of these are kept by reference. */
     ReferenceField(const MixedSpace &space,
                    const ShapeCache &shapes,
                    const Anatomy    &anatomy);

@@ -22,6 +22,8 @@ namespace lumbricus
   class RigidMotions
   {
   public:
+    /** None is held yet. @p L is a length typical of the body [mm], which makes
+     * turns comparable to shifts. */
     RigidMotions(const dealii::Point<dim> &X0, const double L);
 
     /** Add a support. @return whether it holds a motion not held before. */
@@ -32,6 +34,7 @@ namespace lumbricus
     void
     merge(const MPI_Comm comm);
 
+    /** Whether no motion is left. */
     bool
     all_held() const;
 

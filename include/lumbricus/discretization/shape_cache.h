@@ -30,6 +30,8 @@ namespace lumbricus
       const double *JxW;
     };
 
+    /** For the cells of @p space, which is kept by reference; none before
+     * reinit(). */
     explicit ShapeCache(const MixedSpace &space);
 
     /** Compute anew after MixedSpace::distribute_dofs(). */
@@ -48,6 +50,7 @@ namespace lumbricus
     const double *
     node_values() const;
 
+    /** Where quadrature point @p q is, X [mm]. */
     const dealii::Point<dim> &
     quadrature_point(const unsigned int owned_index,
                      const unsigned int q) const;
@@ -56,6 +59,7 @@ namespace lumbricus
     const dealii::Point<dim> &
     node(const unsigned int owned_index, const unsigned int n) const;
 
+    /** How many cells this rank owns. */
     unsigned int
     n_owned_cells() const;
 

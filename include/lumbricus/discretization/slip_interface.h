@@ -37,15 +37,22 @@ namespace lumbricus
     /** A pair of nodes. */
     struct NodePair
     {
+      /** The unknowns of the liquid, by component. */
       std::array<dealii::types::global_dof_index, dim> liquid;
+      /** Those of the wall at the same place. */
       std::array<dealii::types::global_dof_index, dim> wall;
-      dealii::Point<dim>                               X;
-      unsigned int                                     segment;
+      /** Where both are at rest [mm]. */
+      dealii::Point<dim> X;
+      /** That of the liquid, from zero. */
+      unsigned int segment;
       /** The surface each of the three is counted to here: where two meet at
        * a blunt angle they are one. */
       std::array<unsigned int, n_surfaces> surface;
     };
 
+    /**
+     * All of these are kept by reference; there are no pairs before reinit().
+     */
     SlipInterface(const MixedSpace        &space,
                   const Anatomy           &anatomy,
                   const InterfaceCoupling &coupling);

@@ -22,6 +22,8 @@ namespace lumbricus
   class Supports
   {
   public:
+    /** All of these are kept by reference; there are no constraints before
+     * reinit(). */
     Supports(const MixedSpace         &space,
              const Anatomy            &anatomy,
              const InterfaceCoupling  &coupling,
@@ -54,6 +56,8 @@ namespace lumbricus
     void
     set_increments_to_zero();
 
+    /** All constraints on the unknowns of the space, closed, with the
+     * inhomogeneities set last. */
     const dealii::AffineConstraints<double> &
     constraints() const;
 

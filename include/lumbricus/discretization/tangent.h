@@ -20,8 +20,12 @@ namespace lumbricus
   class Tangent
   {
   public:
+    /** Rows and columns of a cell's matrix. */
     static constexpr unsigned int n_per_cell = CellUnknowns::n_per_cell;
 
+    /**
+     * All of these are kept by reference; there are no cells before reinit().
+     */
     Tangent(const MixedSpace   &space,
             const ShapeCache   &shapes,
             const CellUnknowns &unknowns);
@@ -67,8 +71,11 @@ namespace lumbricus
     /** Whether K is symmetric under the loads there are. */
     bool symmetric = true;
 
-    const MixedSpace   &space;
-    const ShapeCache   &shapes;
+    /** What its unknowns are, for solvers. */
+    const MixedSpace &space;
+    /** The shape functions on its cells. */
+    const ShapeCache &shapes;
+    /** Its unknowns on cells, with constraints. */
     const CellUnknowns &unknowns;
 
   private:

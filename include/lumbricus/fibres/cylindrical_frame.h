@@ -22,7 +22,9 @@ namespace lumbricus
    */
   struct CylindricalFrame
   {
+    /** Away from the axis. */
     dealii::Tensor<1, dim> e_r;
+    /** Around it, from y to z. */
     dealii::Tensor<1, dim> e_theta;
 
     /**

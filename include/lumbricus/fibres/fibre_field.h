@@ -22,9 +22,8 @@ namespace lumbricus
     {}
 
     /**
-     * Called once before the first direction(); @param muscle is the name of
-     * the muscle, for messages. Throws ExcInput (an expression that does not
-     * parse).
+     * Called once before the first direction(), with the name of the muscle,
+     * for messages. Throws ExcInput (an expression that does not parse).
      */
     virtual void
     initialize(const std::string & /*muscle*/)

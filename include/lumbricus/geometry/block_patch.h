@@ -25,6 +25,7 @@ namespace lumbricus
   class BlockPatch : public ParameterOwner
   {
   public:
+    /** The patch of the section @p name. */
     explicit BlockPatch(const std::string &name);
 
     void
@@ -52,6 +53,7 @@ namespace lumbricus
     bool
     overlaps(const BlockPatch &other) const;
 
+    /** The name of its section, which is that of the boundary. */
     std::string name;
 
   private:

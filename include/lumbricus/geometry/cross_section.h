@@ -40,6 +40,7 @@ namespace lumbricus
     /** What an edge of a quadrilateral belongs to. */
     enum class Side
     {
+      /** Between two cells. */
       interior,
       /** The outermost circle. */
       outer,
@@ -51,6 +52,7 @@ namespace lumbricus
       symmetry_z
     };
 
+    /** A cell of the section. */
     struct Quad
     {
       /** In deal.II's order; counterclockwise seen against the x axis. */
@@ -74,18 +76,22 @@ namespace lumbricus
                  const unsigned int               n_disk_rings,
                  const std::vector<unsigned int> &n_layer_cells);
 
+    /** How many vertices the quadrilaterals have together. */
     unsigned int
     n_vertices() const
     {
       return vertices.size();
     }
 
+    /** How many layers the wall has. */
     unsigned int
     n_layers() const
     {
       return n_wall_layers;
     }
 
+    /** All quadrilaterals: of the disk from the core outwards, then of the
+     * layers, ring by ring. */
     const std::vector<Quad> &
     quads() const
     {

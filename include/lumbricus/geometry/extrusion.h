@@ -13,7 +13,9 @@ namespace lumbricus
   /** A plane x = const of the coarse mesh, and the ring radii in it. */
   struct AxialStation
   {
-    double              x;
+    /** Its place on the axis [mm]. */
+    double x;
+    /** As CrossSection::position() takes them [mm]. */
     std::vector<double> radii;
   };
 

@@ -21,17 +21,22 @@ namespace lumbricus
    */
   struct Region
   {
+    /** From the head. */
     unsigned int segment;
+    /** The index in Geometry::tissues(). */
     unsigned int tissue;
 
+    /** More tissues do not fit into a material id. */
     static constexpr unsigned int max_n_tissues = 256;
 
+    /** The material id of its cells: 256 segment + tissue. */
     dealii::types::material_id
     material_id() const
     {
       return segment * max_n_tissues + tissue;
     }
 
+    /** The region whose cells have the material id @p id. */
     static Region
     of(const dealii::types::material_id id)
     {
@@ -44,6 +49,7 @@ namespace lumbricus
   /** A kind of material the geometry has cells of. */
   struct TissueName
   {
+    /** The name of its section in Tissues. */
     std::string name;
     /** A liquid is reset; everything else is the wall, which keeps its stress.
      */
@@ -59,8 +65,10 @@ namespace lumbricus
    */
   struct SymmetryPlane
   {
+    /** The id of its faces. */
     dealii::types::boundary_id boundary;
-    unsigned int               direction;
+    /** The axis it is normal to: 0, 1, 2 for x, y, z. */
+    unsigned int direction;
   };
 
 
@@ -71,9 +79,9 @@ namespace lumbricus
    */
   struct SegmentSections
   {
-    double begin;
-    double middle;
-    double end;
+    double begin;  ///< towards the head [mm]
+    double middle; ///< [mm]
+    double end;    ///< towards the tail [mm]
   };
 
 
@@ -93,6 +101,7 @@ namespace lumbricus
     virtual void
     create_coarse_mesh(dealii::Triangulation<dim> &triangulation) const = 0;
 
+    /** How many segments the body has; at least one. */
     virtual unsigned int
     n_segments() const = 0;
 

@@ -11,6 +11,7 @@ namespace lumbricus
   /** Messages about a mesh file, as ExcInput that names parameter and file. */
   struct MeshMessages
   {
+    /** About the file @p file_name, which a parameter in @p section names. */
     MeshMessages(const std::string &section, const std::string &file_name);
 
     /** "Parameter '<section>/<parameter>': the mesh file so-and-so @p what". */
@@ -29,7 +30,9 @@ namespace lumbricus
                const std::vector<std::string> &names,
                const std::set<std::string>    &known) const;
 
+    /** Where the parameters about the mesh are. */
     const std::string section;
+    /** As the user wrote it. */
     const std::string file_name;
   };
 } // namespace lumbricus

@@ -19,9 +19,12 @@ namespace lumbricus
    */
   struct MshFile
   {
+    /** A quadrilateral and the physical surface it is in. */
     struct Face
     {
-      FaceKey      vertices;
+      /** By their numbers in MshFile::vertices. */
+      FaceKey vertices;
+      /** That of the physical surface. */
       unsigned int tag;
     };
 
@@ -34,6 +37,7 @@ namespace lumbricus
 
     /** From a tag to its name. */
     std::map<unsigned int, std::string> volume_names;
+    /** From a tag of a surface to its name. */
     std::map<unsigned int, std::string> surface_names;
   };
 

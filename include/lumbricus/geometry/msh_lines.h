@@ -15,8 +15,12 @@ namespace lumbricus
   class MshLines
   {
   public:
+    /** What messages advise: the options that make Gmsh write what is read
+     * here. */
     static const std::string how_to_write;
 
+    /** Open the file; @p parameter is that which names it. Throws ExcInput
+     * where it cannot be read. There is no line before next(). */
     MshLines(const std::string &parameter, const std::string &file_name);
 
     /** Go to the next line that is not blank, if there is one. */
@@ -31,6 +35,7 @@ namespace lumbricus
     std::string
     trimmed() const;
 
+    /** The line up to its first blank. */
     std::string
     first_word() const;
 
@@ -47,6 +52,7 @@ namespace lumbricus
     [[noreturn]] void
     fail(const std::string &what) const;
 
+    /** The same, with the number of the line in front of @p what. */
     [[noreturn]] void
     fail_in_line(const std::string &what) const;
 

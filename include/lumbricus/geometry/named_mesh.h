@@ -15,12 +15,19 @@ namespace lumbricus
   /** What the user says about a mesh file. */
   struct NamedMeshChoices
   {
-    std::string              file_name;
-    std::vector<std::string> liquids        = {"liquid"};
-    std::vector<std::string> wall_layers    = {"wall"};
+    /** From the working directory. */
+    std::string file_name;
+    /** The names of the tissues that are liquid. */
+    std::vector<std::string> liquids = {"liquid"};
+    /** See TissueName::wall_layer. */
+    std::vector<std::string> wall_layers = {"wall"};
+    /** The names of physical surfaces that are round about the x axis, and stay
+     * so under refinement. */
     std::vector<std::string> round_surfaces = {};
-    double                   scale          = 1.;
+    /** What coordinates in the file are multiplied by. */
+    double scale = 1.;
 
+    /** Whether both choose the same mesh. */
     bool
     operator==(const NamedMeshChoices &other) const;
   };
@@ -36,21 +43,29 @@ namespace lumbricus
    */
   struct NamedMesh
   {
+    /** Scaled [mm]. */
     std::vector<dealii::Point<dim>> vertices;
     /** With the material id of their Region. */
     std::vector<dealii::CellData<dim>> cells;
 
-    std::vector<TissueName>    tissues;
-    std::vector<std::string>   boundary_names;
+    /** As Geometry::tissues(), in the order of the tags of their volumes. */
+    std::vector<TissueName> tissues;
+    /** See Geometry::boundary_names(). */
+    std::vector<std::string> boundary_names;
+    /** See Geometry::symmetry_planes(). */
     std::vector<SymmetryPlane> symmetry_planes;
 
     /** Of all faces at the boundary. */
     std::map<FaceKey, dealii::types::boundary_id> boundary_ids;
-    std::set<FaceKey>                             round_faces;
+    /** The faces in what the user calls round surfaces. */
+    std::set<FaceKey> round_faces;
 
-    std::vector<SegmentSections>      sections;
+    /** See mesh_sections(). */
+    std::vector<SegmentSections> sections;
+    /** See mesh_support_points(). */
     std::array<dealii::Point<dim>, 3> support_points;
-    double                            characteristic_length;
+    /** The least side of the box around the body [mm]. */
+    double characteristic_length;
   };
 
 

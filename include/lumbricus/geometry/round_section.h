@@ -41,6 +41,8 @@ namespace lumbricus
     check_thicknesses(const std::string         &where,
                       const std::vector<double> &thicknesses) const;
 
+    /** The pattern of the cells, with a disk inside where @p filled, else with
+     * a hole. */
     CrossSection
     cross_section(const bool filled) const;
 
@@ -67,6 +69,7 @@ namespace lumbricus
                const unsigned int n,
                const std::string &reason);
 
+    /** How many layers the wall has. */
     unsigned int
     n_layers() const
     {

@@ -18,9 +18,14 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override;
 
-    double              radius            = 2.;
-    double              length            = 2.;
-    double              septum_thickness  = 0.1;
+    /** Inner radius of the wall [mm]. */
+    double radius = 2.;
+    /** Length of the liquid chamber, between septa or caps [mm]. */
+    double length = 2.;
+    /** Thickness of the septum towards the tail [mm], half of which belongs to
+     * the next segment. */
+    double septum_thickness = 0.1;
+    /** Of the layers of the wall, from inside to outside [mm]. */
     std::vector<double> layer_thicknesses = {0.15, 0.15};
   };
 } // namespace lumbricus

@@ -10,8 +10,8 @@ namespace lumbricus
   /** The segments first, ..., last, counted from one as users do. */
   struct SegmentRange
   {
-    unsigned int first;
-    unsigned int last;
+    unsigned int first; ///< the one nearest to the head
+    unsigned int last;  ///< the one nearest to the tail
 
     /** "Segment 1" or "Segments 8-10". */
     std::string

@@ -17,13 +17,11 @@ namespace lumbricus
   /** What a surface load may depend on, at a point of the boundary. */
   struct SurfacePoint
   {
-    /** Reference position and outward reference normal. */
-    dealii::Point<dim>     X;
-    dealii::Tensor<1, dim> N;
-    /** Displacement [mm] and deformation gradient. */
-    dealii::Tensor<1, dim> u;
-    dealii::Tensor<2, dim> F;
-    double                 t;
+    dealii::Point<dim>     X; ///< position at rest [mm]
+    dealii::Tensor<1, dim> N; ///< outward normal at rest
+    dealii::Tensor<1, dim> u; ///< displacement [mm]
+    dealii::Tensor<2, dim> F; ///< deformation gradient
+    double                 t; ///< time
   };
 
 
@@ -71,6 +69,8 @@ namespace lumbricus
       return false;
     }
 
+    /** Set the traction and its derivatives in @p response, which is zero
+     * before, at @p point. */
     virtual void
     surface(const SurfacePoint & /*point*/,
             SurfaceResponse & /*response*/) const

@@ -18,6 +18,7 @@ namespace lumbricus
   class NamedCondition : public ParameterOwner
   {
   public:
+    /** What the section Boundary conditions/@p name says. */
     explicit NamedCondition(const std::string &name);
 
     void
@@ -30,9 +31,13 @@ namespace lumbricus
     void
     check_parameters() const override;
 
-    std::string                name;
-    std::string                boundary_name;
-    Choice<BoundaryCondition>  type;
+    /** The name of the section. */
+    std::string name;
+    /** Where it acts: one of Geometry::boundary_names(). */
+    std::string boundary_name;
+    /** What acts there. */
+    Choice<BoundaryCondition> type;
+    /** The id of that boundary, by BoundaryConditions::initialize(). */
     dealii::types::boundary_id boundary = dealii::numbers::invalid_boundary_id;
   };
 

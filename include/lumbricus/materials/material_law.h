@@ -16,21 +16,21 @@ namespace lumbricus
    *
    *   P = d psi / dF,         the first Piola-Kirchhoff stress P_iJ,
    *
-   *   c = d psi / dp,         zero in equilibrium: J - J_v (1 + p/kappa),
+   *   c = d psi / dp,         zero in equilibrium,
    *
    *   A = d2 psi / dF dF,     A[3 i + J][3 k + L], symmetric,
    *
    *   Q = d2 psi / dF dp,     which is dP/dp = dc/dF,
    *
-   *   dc_dp = d2 psi / dp2,   -J_v / kappa.
+   *   dc_dp = d2 psi / dp2.
    */
   struct MaterialResponse
   {
-    dealii::Tensor<2, dim> P;
-    dealii::Tensor<2, dim> Q;
-    double                 c;
-    double                 dc_dp;
-    double                 A[dim * dim][dim * dim];
+    dealii::Tensor<2, dim> P;     ///< [N/mm^2], [i][J]
+    dealii::Tensor<2, dim> Q;     ///< [i][J]
+    double                 c;     ///< violated volume constraint
+    double                 dc_dp; ///< [mm^2/N]
+    double                 A[dim * dim][dim * dim]; ///< [N/mm^2]
   };
 
 

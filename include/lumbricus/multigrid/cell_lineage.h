@@ -23,6 +23,7 @@ namespace lumbricus
      * edges in each of its directions [mm]. */
     std::array<double, dim> extent;
 
+    /** How often a cell of the unrefined mesh was cut to get it. */
     unsigned int
     level() const
     {
@@ -55,7 +56,8 @@ namespace lumbricus
 
   /** The patch of the ancestor on @p level. Where the cell of the unrefined
    * mesh is longer by more than @p thin in another direction, those above each
-   * other make one patch. */
+   * other make one patch, up to 8 of them in one thin direction or 4 in each of
+   * two. */
   PatchKey
   patch_key(const CellLineage &cell,
             const unsigned int level,

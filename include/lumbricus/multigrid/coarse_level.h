@@ -13,7 +13,9 @@ namespace lumbricus
   /** A level below the finest, and which of its cells is which. */
   struct CoarseLevel
   {
-    Level                           level;
+    /** Its unknowns and cells; parents are still missing. */
+    Level level;
+    /** From a cell to its number in the level, of all that this rank knows. */
     std::map<CellKey, unsigned int> cell_of;
   };
 

@@ -25,10 +25,13 @@ namespace lumbricus
   class Embedding
   {
   public:
+    /** Unknowns of a cell, as CellUnknowns orders them. */
     static constexpr unsigned int n_per_cell = CellUnknowns::n_per_cell;
+    /** A cell is cut into eight. */
     static constexpr unsigned int n_children =
       dealii::GeometryInfo<dim>::max_children_per_cell;
 
+    /** Compute P_c of all children. */
     Embedding();
 
     /** child = P_c parent. */

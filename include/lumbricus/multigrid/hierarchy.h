@@ -15,22 +15,26 @@ namespace lumbricus
    */
   struct Level
   {
-    const CellUnknowns           *unknowns = nullptr;
+    /** Its unknowns: own or, on the finest mesh, those of the problem. */
+    const CellUnknowns *unknowns = nullptr;
+    /** None on the finest mesh. */
     std::unique_ptr<CellUnknowns> own;
 
-    /** Cells of @p unknowns; the owned ones come first. */
-    unsigned int n_cells       = 0;
+    /** Cells of its unknowns that this rank knows, the owned ones first. */
+    unsigned int n_cells = 0;
+    /** Cells that it owns. */
     unsigned int n_owned_cells = 0;
-    /** Of the cells that others own: the rank, and a number of the cell that
-     * it has on all ranks. The other way round for those that others know. */
-    std::vector<unsigned int>                          owner;
-    std::vector<unsigned int>                          split_number;
+    /** Of the cells that others own: the rank. */
+    std::vector<unsigned int> owner;
+    /** Of the same cells: a number that the cell has on all ranks. */
+    std::vector<unsigned int> split_number;
+    /** Of the owned cells that others know: that number, and the cell. */
     std::vector<std::pair<unsigned int, unsigned int>> split_cells;
 
-    /** Of each owned cell: the cell on the next coarser mesh, and which of its
-     * children this one is; -1 where it is the same cell. */
+    /** Of each owned cell: the cell on the next coarser mesh. */
     std::vector<unsigned int> parent;
-    std::vector<int>          child;
+    /** Which of its children this one is; -1 where it is the same cell. */
+    std::vector<int> child;
 
     /** The owned cells in patches for the smoother: stacks through what is
      * thin, see Hierarchy::reinit(). */
@@ -73,6 +77,7 @@ namespace lumbricus
            const unsigned int  n_coarsest,
            const double        thin);
 
+    /** How many meshes there are, with the finest. */
     unsigned int
     n_levels() const
     {

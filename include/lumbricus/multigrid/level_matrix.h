@@ -24,9 +24,9 @@ namespace lumbricus
     /** An entry's column is a place in the vectors of this matrix. */
     struct Row
     {
-      const unsigned int *columns;
-      const float        *values;
-      unsigned int        size;
+      const unsigned int *columns; ///< size of them
+      const float        *values;  ///< as many
+      unsigned int        size;    ///< entries of the row
     };
 
     /** The pattern, for the first @p n_cells cells of @p unknowns. */
@@ -54,12 +54,14 @@ namespace lumbricus
       x.reinit(columns);
     }
 
+    /** The ranks that the rows are shared among. */
     MPI_Comm
     communicator() const
     {
       return comm;
     }
 
+    /** How many rows this rank owns. */
     unsigned int
     n_owned() const
     {

@@ -22,12 +22,18 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override;
 
-    unsigned int n_coarsest      = 10000;
-    unsigned int n_sweeps        = 1;
+    /** A mesh with at most so many unknowns is factored. */
+    unsigned int n_coarsest = 10000;
+    /** Sweeps over the cells before and after the coarse correction. */
+    unsigned int n_sweeps = 1;
+    /** Coarse corrections in a cycle: 1 is a V-cycle, 2 a W-cycle. */
     unsigned int n_coarse_cycles = 1;
-    double       damping         = 0.7;
-    double       thin            = 3.;
-    std::string  vanka           = "multiplicative";
+    /** omega of Vanka: which part of a correction is taken. */
+    double damping = 0.7;
+    /** See Hierarchy::reinit(). */
+    double thin = 3.;
+    /** "multiplicative" or "additive", see Vanka. */
+    std::string vanka = "multiplicative";
   };
 
 
@@ -63,17 +69,20 @@ namespace lumbricus
     double
     cost() const override;
 
+    /** The meshes and their unknowns. */
     const Hierarchy &
     meshes() const
     {
       return hierarchy;
     }
 
-    /** x_(l+1) += P x_l, and x_l = P^T x_(l+1). */
+    /** x_(l+1) += P x_l, with x_l in @p coarse. Collective. */
     void
     prolongate_and_add(const unsigned int l,
                        const CellVector  &coarse,
                        CellVector        &fine) const;
+
+    /** x_l = P^T x_(l+1), with x_l in @p coarse. Collective. */
     void
     restrict_to(const unsigned int l,
                 const CellVector  &fine,

@@ -22,10 +22,11 @@ namespace lumbricus
   class Vanka
   {
   public:
+    /** How a sweep is done. */
     struct Options
     {
-      bool   multiplicative = true;
-      double damping        = 1.;
+      bool   multiplicative = true; ///< else additive
+      double damping        = 1.;   ///< omega
     };
 
     /** For the pattern of @p matrix, with patches of these of its cells. */

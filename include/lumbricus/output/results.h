@@ -23,6 +23,11 @@ namespace lumbricus
   class Results
   {
   public:
+    /**
+     * Start the tables in @p folder, or go on with them; VTU files follow every
+     * @p vtu_every steps, 0 for the last only. Throws ExcInput for a probe
+     * point outside the body. Collective.
+     */
     Results(const RunFolder                       &folder,
             const MixedSpace                      &space,
             const ShapeCache                      &shapes,

@@ -24,6 +24,7 @@ namespace lumbricus
      */
     RunFolder(const std::string &path, const MPI_Comm comm);
 
+    /** As the user wrote it. */
     const std::string &
     path() const;
 

@@ -17,18 +17,17 @@ namespace lumbricus
     bool any = false;
     /** Whether there was equilibrium on the new mesh; if not, the old one is
      * kept. */
-    bool converged = false;
-    /** Of the mesh after it. */
-    std::size_t n_cells    = 0;
-    std::size_t n_unknowns = 0;
-    /** Cells cut into eight, and cells made of eight. */
-    std::size_t n_refined   = 0;
-    std::size_t n_coarsened = 0;
+    bool        converged   = false;
+    std::size_t n_cells     = 0; ///< active ones of the mesh after it
+    std::size_t n_unknowns  = 0; ///< of the mesh after it
+    std::size_t n_refined   = 0; ///< cells cut into eight
+    std::size_t n_coarsened = 0; ///< cells made of eight
     /** See ErrorEstimate::relative; of the mesh before. */
     double estimated_error = 0.;
-    /** The largest relative change of a liquid's or wall's volume, and of a
-     * liquid's pressure, over the segments. */
-    double volume_change   = 0.;
+    /** The largest relative change of a liquid's or wall's volume, over the
+     * segments. */
+    double volume_change = 0.;
+    /** The largest relative change of a liquid's mean pressure. */
     double pressure_change = 0.;
     /** Of solving again; empty where it did not converge. */
     ResetIteration::Report report;
@@ -39,15 +38,19 @@ namespace lumbricus
   /** What a load step took. */
   struct StepRecord
   {
-    unsigned int number = 0;
-    double       time   = 0.;
-    double       size   = 0.;
+    unsigned int number = 0;  ///< from 1; 0 is the state of rest
+    double       time   = 0.; ///< State::time after it
+    double       size   = 0.; ///< from the time before
     /** Tries that did not converge before this one did. */
-    unsigned int n_cuts              = 0;
+    unsigned int n_cuts = 0;
+    /** Iterations of the linear solver, those of failed tries included. */
     unsigned int n_linear_iterations = 0;
-    unsigned int n_factorisations    = 0;
-    double       seconds             = 0.;
-    double       elapsed_seconds     = 0.;
+    /** Factorisations, those of failed tries included. */
+    unsigned int n_factorisations = 0;
+    /** What it took, with adaptation, but without output [s]. */
+    double seconds = 0.;
+    /** Since the run started, without the time between restarts [s]. */
+    double elapsed_seconds = 0.;
     /** Of the softest motion, where that is watched [N/mm^4]. */
     double softest_stiffness = std::numeric_limits<double>::quiet_NaN();
     /** The segments inside whose liquid the mesh was relaxed before it; empty

@@ -20,6 +20,9 @@ namespace lumbricus
   class VtuSeries
   {
   public:
+    /**
+     * All of these are kept by reference; nothing is written before write().
+     */
     VtuSeries(const RunFolder  &folder,
               const MixedSpace &space,
               const Anatomy    &anatomy);

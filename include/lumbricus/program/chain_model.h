@@ -20,6 +20,8 @@ namespace lumbricus
   class ChainModel
   {
   public:
+    /** Without a mesh, see create(). All of these are kept by reference; the
+     * parameters have been read and checked. */
     ChainModel(RunParameters       &parameters,
                dealii::TimerOutput &timer,
                const MPI_Comm       comm);
@@ -54,16 +56,18 @@ namespace lumbricus
     IsSlipInterface
     is_slip_interface() const;
 
-    RunParameters       &parameters;
+    /** What was asked for, and the objects it made. */
+    RunParameters &parameters;
+    /** Where time goes. */
     dealii::TimerOutput &timer;
 
-    ParallelMesh   triangulation;
-    MixedSpace     space;
-    ShapeCache     shapes;
-    ReferenceField references;
-    Supports       supports;
-    Assembler      assembler;
-    Equilibrium    equilibrium;
+    ParallelMesh   triangulation; ///< the mesh at rest
+    MixedSpace     space;         ///< the unknowns on it
+    ShapeCache     shapes;        ///< their shape functions
+    ReferenceField references;    ///< G and J_v of muscles and liquid
+    Supports       supports;      ///< the constraints
+    Assembler      assembler;     ///< residual and tangent
+    Equilibrium    equilibrium;   ///< all that Newton's method sees
   };
 } // namespace lumbricus
 

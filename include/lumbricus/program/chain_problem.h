@@ -19,6 +19,7 @@ namespace lumbricus
   class ChainProblem
   {
   public:
+    /** Without a mesh, see setup(). All of these are kept by reference. */
     ChainProblem(RunParameters &parameters, Log &log, const MPI_Comm comm);
 
     /** Make the model, on the mesh of @p checkpoint where there is one. Throws

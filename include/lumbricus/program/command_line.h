@@ -14,22 +14,24 @@ namespace lumbricus
     /** Read the arguments. Throws ExcInput for what it does not know. */
     CommandLine(const int argc, char *const argv[]);
 
-    bool                     help       = false;
-    bool                     version    = false;
-    bool                     parameters = false;
-    bool                     check      = false;
-    bool                     quiet      = false;
-    bool                     verbose    = false;
-    bool                     progress   = false;
-    std::string              parameter_file;
-    std::string              output_folder;
-    std::string              restart_folder;
-    std::vector<std::string> settings;
+    bool                     help       = false; ///< --help
+    bool                     version    = false; ///< --version
+    bool                     parameters = false; ///< --parameters
+    bool                     check      = false; ///< --check
+    bool                     quiet      = false; ///< --quiet
+    bool                     verbose    = false; ///< --verbose
+    bool                     progress   = false; ///< --progress
+    std::string              parameter_file;     ///< empty with --restart
+    std::string              output_folder;      ///< of --output, or empty
+    std::string              restart_folder;     ///< of --restart, or empty
+    std::vector<std::string> settings;           ///< of --set, in their order
   };
 
+  /** Write what --help says: the options and exit codes. */
   void
   print_help(std::ostream &out);
 
+  /** Write the versions of the program and of deal.II, and the build type. */
   void
   print_version(std::ostream &out);
 } // namespace lumbricus

@@ -13,11 +13,11 @@ namespace lumbricus
   /** What the program ends with. */
   struct ExitCode
   {
-    static constexpr int done         = 0;
-    static constexpr int wrong_input  = 1;
-    static constexpr int solve_failed = 2;
-    static constexpr int bug          = 3;
-    static constexpr int interrupted  = 4;
+    static constexpr int done         = 0; ///< nothing went wrong
+    static constexpr int wrong_input  = 1; ///< ExcInput
+    static constexpr int solve_failed = 2; ///< ExcSolveFailed
+    static constexpr int bug          = 3; ///< anything else
+    static constexpr int interrupted  = 4; ///< ExcInterrupted
   };
 
   /**

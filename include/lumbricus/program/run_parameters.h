@@ -24,6 +24,7 @@ namespace lumbricus
   class RunParameters : public ParameterOwner
   {
   public:
+    /** With the default values. */
     RunParameters();
 
     void
@@ -51,23 +52,25 @@ namespace lumbricus
     try_expressions(
       const dealii::parallel::TriangulationBase<dim> &triangulation) const;
 
-    std::string          title;
-    UnitCheck            unit_check;
-    Anatomy              anatomy;
-    MeshRefinement       mesh_refinement;
-    Adaptivity           adaptivity;
-    InterfaceCoupling    interface_coupling;
-    BoundaryConditions   boundary_conditions;
-    LoadStepping         load_stepping;
-    CheckpointSchedule   checkpoint_schedule;
-    ResetIteration       reset_iteration;
-    Newton               newton;
-    Predictor            predictor;
-    Choice<LinearSolver> linear_solver;
-    StabilityWatch       stability_watch;
-    std::string          output_folder = "results";
-    unsigned int         output_every  = 1;
-    ProbePoints          probe_points;
+    std::string          title;               ///< a line for the log
+    UnitCheck            unit_check;          ///< entry Units
+    Anatomy              anatomy;             ///< Geometry, Tissues, Muscles
+    MeshRefinement       mesh_refinement;     ///< section Mesh
+    Adaptivity           adaptivity;          ///< section Adaptivity
+    InterfaceCoupling    interface_coupling;  ///< section Interface
+    BoundaryConditions   boundary_conditions; ///< section Boundary conditions
+    LoadStepping         load_stepping;       ///< section Time
+    CheckpointSchedule   checkpoint_schedule; ///< section Checkpoints
+    ResetIteration       reset_iteration;     ///< section Reset
+    Newton               newton;              ///< section Newton
+    Predictor            predictor;           ///< section Newton
+    Choice<LinearSolver> linear_solver;       ///< section Linear solver
+    StabilityWatch       stability_watch;     ///< section Stability
+    /** Where results go. */
+    std::string output_folder = "results";
+    /** Load steps from one VTU file to the next; 0 for the last state only. */
+    unsigned int output_every = 1;
+    ProbePoints  probe_points; ///< entry Output/Points
   };
 } // namespace lumbricus
 

@@ -11,8 +11,8 @@ namespace lumbricus
   /** A fibre family at a point: unit vector f and active stretch lambda > 0. */
   struct ActiveFibre
   {
-    dealii::Tensor<1, dim> f;
-    double                 lambda;
+    dealii::Tensor<1, dim> f;      ///< at rest
+    double                 lambda; ///< stress-free length / length at rest
   };
 
   /**

@@ -17,8 +17,10 @@ namespace lumbricus
    */
   struct ReferencePoint
   {
+    /** G^(-1), which is what laws need. */
     dealii::Tensor<2, dim> G_inverse =
       dealii::unit_symmetric_tensor<dim, double>();
+    /** The stress-free volume ratio, > 0. */
     double J_v = 1.;
   };
 } // namespace lumbricus

@@ -41,7 +41,9 @@ namespace lumbricus
   /** A kind of inverse, and what to call it when speaking to the user. */
   struct InverseKind
   {
-    std::string                         name;
+    /** As the user is to read it. */
+    std::string name;
+    /** Empty where there is no such kind. */
     std::unique_ptr<ApproximateInverse> inverse;
   };
 } // namespace lumbricus

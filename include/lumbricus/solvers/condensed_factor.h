@@ -62,14 +62,14 @@ namespace lumbricus
     double
     cost() const override;
 
-    /** What MUMPS will need: operations on all ranks, and memory of the rank
-     * that needs most [MB]. */
+    /** Operations that MUMPS will need, on all ranks. */
     double
     planned_flops() const
     {
       return mumps.planned_flops();
     }
 
+    /** Memory that MUMPS will need, of the rank that needs most [MB]. */
     double
     planned_megabytes() const
     {

@@ -19,6 +19,7 @@ namespace lumbricus
   class Equilibrium : public NonlinearProblem
   {
   public:
+    /** All of these are kept by reference; call reinit() first. */
     Equilibrium(const MixedSpace    &space,
                 const ShapeCache    &shapes,
                 const Anatomy       &anatomy,

@@ -57,6 +57,7 @@ namespace lumbricus
         x.local_element(owned_places[k]) = values[k];
     }
 
+    /** How many unknowns with a number this rank owns. */
     unsigned int
     n_owned() const
     {

@@ -15,7 +15,8 @@ namespace lumbricus
    * as the iterations it costs are fewer than a new one is worth (FactorAge).
    *
    * Where even a new one does not do, the next more robust kind of inverse is
-   * taken, and used until the mesh is new.
+   * taken, and used until the number of
+   * unknowns is another one.
    */
   class KeptPreconditioner : public LinearSolver
   {

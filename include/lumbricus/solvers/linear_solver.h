@@ -14,12 +14,12 @@ namespace lumbricus
   /** What a linear solver did since it was made, for tables and logs. */
   struct LinearSolverStatistics
   {
-    unsigned int n_solves         = 0;
-    unsigned int n_iterations     = 0;
-    unsigned int most_iterations  = 0; // of one solve
-    unsigned int n_factorisations = 0;
-    double       factor_seconds   = 0.;
-    double       solve_seconds    = 0.;
+    unsigned int n_solves         = 0;  ///< that succeeded
+    unsigned int n_iterations     = 0;  ///< of all tries
+    unsigned int most_iterations  = 0;  ///< of one try
+    unsigned int n_factorisations = 0;  ///< or cycles of multigrid set up
+    double       factor_seconds   = 0.; ///< for these
+    double       solve_seconds    = 0.; ///< for the rest
   };
 
 
@@ -48,6 +48,7 @@ namespace lumbricus
     virtual void
     solve(CellVector &x, const CellVector &b, const double tolerance) = 0;
 
+    /** What it did since it was made. */
     const LinearSolverStatistics &
     statistics() const
     {
@@ -62,6 +63,7 @@ namespace lumbricus
     }
 
   protected:
+    /** Let the user know @p message. */
     void
     tell(const std::string &message)
     {
@@ -77,6 +79,7 @@ namespace lumbricus
       counts.most_iterations = std::max(counts.most_iterations, n);
     }
 
+    /** For derived classes to count in. */
     LinearSolverStatistics counts;
 
   private:

@@ -22,8 +22,11 @@ namespace lumbricus
   class Mumps
   {
   public:
+    /** What kind of matrix it is, and how it is factored. */
     struct Options
     {
+      /** Whether it is L D L^T, of which only one triangle of a matrix is read;
+       * else L U. */
       bool symmetric;
       /** Whether rows are exchanged for the sake of accuracy. */
       bool pivoting;
@@ -32,6 +35,8 @@ namespace lumbricus
       double compression;
     };
 
+    /** Start MUMPS, for the free unknowns in @p numbering, which is kept by
+     * reference. */
     Mumps(const MPI_Comm       comm,
           const Options       &options,
           const FreeNumbering &numbering);

@@ -25,6 +25,7 @@ namespace lumbricus
       /** False where the residual does not exist (an inverted element). */
       bool valid = true;
 
+      /** What the line search watches. */
       double
       merit() const
       {
@@ -34,6 +35,7 @@ namespace lumbricus
 
     virtual ~NonlinearProblem() = default;
 
+    /** How far @p x is from a solution. Collective. */
     virtual Residual
     residual(const Vector &x) = 0;
 
@@ -41,8 +43,8 @@ namespace lumbricus
     virtual void
     linearise(const Vector &x) = 0;
 
-    /** Compute the increment dx at which the linearised residual is @p
-     * tolerance times what it is without one. */
+    /** Compute the increment dx at which the linearised residual is
+     * @p tolerance times what it is without one. */
     virtual void
     solve(Vector &dx, const double tolerance) = 0;
 
@@ -69,9 +71,9 @@ namespace lumbricus
   /** One iteration, for logs and for tests of the order of convergence. */
   struct NewtonIteration
   {
-    NonlinearProblem::Residual residual;
-    double                     increment;
-    double                     step_length;
+    NonlinearProblem::Residual residual;  ///< after it
+    double                     increment; ///< size of dx, see increment_size()
+    double                     step_length; ///< part of dx that was taken
   };
 
 

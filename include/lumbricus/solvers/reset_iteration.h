@@ -28,11 +28,11 @@ namespace lumbricus
      * after a reset. All but the first is per segment. */
     struct Solve
     {
-      std::vector<NewtonIteration> newton;
-      std::vector<SegmentState>    segments;
-      std::vector<SectionMeasures> measures;
-      std::vector<MeshQuality>     qualities;
-      std::vector<double>          divergence;
+      std::vector<NewtonIteration> newton;     ///< all iterations
+      std::vector<SegmentState>    segments;   ///< volumes, pressure
+      std::vector<SectionMeasures> measures;   ///< length, radius
+      std::vector<MeshQuality>     qualities;  ///< of the deformed cells
+      std::vector<double>          divergence; ///< eta
     };
 
     /** Called after every solve, with which segments are reset then. */
@@ -42,9 +42,10 @@ namespace lumbricus
     /** What one load step took. */
     struct Report
     {
-      std::vector<Solve>        solves;
+      std::vector<Solve>        solves;   ///< in their order
       std::vector<unsigned int> n_resets; ///< per segment
 
+      /** Newton iterations of all solves. */
       unsigned int
       n_newton_iterations() const;
     };

@@ -35,8 +35,8 @@ namespace lumbricus
     /** A motion and its stiffness. */
     struct Motion
     {
-      CellVector v; ///< |v| = 1
-      double     stiffness = 0.;
+      CellVector v;              ///< |v| = 1
+      double     stiffness = 0.; ///< k(v) [N/mm^4]
     };
 
     /** The motion of least |k|, by inverse iteration. Throws ExcNotConverged
