@@ -41,6 +41,10 @@ namespace lumbricus
     check_thicknesses(const std::string         &where,
                       const std::vector<double> &thicknesses) const;
 
+    /** The cells of cross_section(). */
+    double
+    n_cells(const bool filled) const;
+
     CrossSection
     cross_section(const bool filled) const;
 
