@@ -28,8 +28,9 @@ namespace lumbricus
     void
     write(std::ostream &out) const;
 
+    /** @param unknown is set to the first item that no RunProgress has. */
     static RunProgress
-    read(std::istream &in);
+    read(std::istream &in, std::string &unknown);
   };
 } // namespace lumbricus
 

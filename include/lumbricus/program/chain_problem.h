@@ -40,6 +40,11 @@ namespace lumbricus
         const std::string &resolved_parameters,
         const Checkpoint  *checkpoint);
 
+    /** Whether there is a state on disk that run() would leave as the last good
+     * one. */
+    bool
+    has_begun() const;
+
   private:
     /** The steps of a run, which change @p state and @p step. */
     void
@@ -107,6 +112,7 @@ namespace lumbricus
     double              seconds_before_restart = 0.;
     dealii::TimerOutput timer;
     ChainModel          model;
+    bool                begun = false;
   };
 } // namespace lumbricus
 
