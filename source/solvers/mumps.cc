@@ -258,7 +258,7 @@ namespace lumbricus
             continue;
           }
         AssertThrow(code != -10,
-                    ExcNotConverged("The tangent matrix is singular."));
+                    ExcNotConverged("The tangent matrix is singular"));
         AssertThrow(
           code != -13,
           ExcSolveFailed(
