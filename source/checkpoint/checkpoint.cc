@@ -61,7 +61,8 @@ namespace lumbricus
         folder.path() + "/" + checkpoint + "/" + name;
       AssertThrow(content_of(file_name) == content,
                   ExcSolveFailed("The file '" + file_name +
-                                 "' is not on disk as it was written."));
+                                 "' is not on disk as it was written. Check "
+                                 "the disk."));
       return "file " + std::to_string(checksum(content)) + " " +
              std::to_string(content.size()) + " " + name + "\n";
     }
