@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/adaptivity/mesh_refinement.h>
+#include <lumbricus/core/available_memory.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/patterns.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace lumbricus
 {
@@ -50,6 +52,7 @@ namespace lumbricus
   MeshRefinement::refine(ParallelMesh          &triangulation,
                          const IsSlipInterface &is_slip_interface) const
   {
+    check_memory(triangulation);
     triangulation.refine_global(n_global);
     for (unsigned int i = 0; i < n_local; ++i)
       {
@@ -60,6 +63,29 @@ namespace lumbricus
       return coarser_across_interface(cell, is_slip_interface);
     }))
       triangulation.execute_coarsening_and_refinement();
+  }
+
+
+
+  void
+  MeshRefinement::check_memory(const ParallelMesh &triangulation) const
+  {
+    // Without the factors of a matrix, which take more.
+    constexpr double megabytes_of_cell = 0.01;
+    const MPI_Comm   comm              = triangulation.get_communicator();
+    const double     n_cells =
+      std::pow(8., n_global) * triangulation.n_global_active_cells();
+    const double needed = megabytes_of_cell * n_cells /
+                          dealii::Utilities::MPI::n_mpi_processes(comm);
+    const double       available = available_megabytes(comm);
+    std::ostringstream message;
+    message.precision(3);
+    message << "Parameter 'Mesh/Global refinements' is " << n_global
+            << ": the mesh would have " << n_cells
+            << " cells, which take more than " << needed / 1024.
+            << " GB a rank, of " << available / 1024.
+            << " GB available. Refine less often, or take more machines.";
+    AssertThrow(n_global == 0 || needed <= available, ExcInput(message.str()));
   }
 
 

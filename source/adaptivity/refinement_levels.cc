@@ -67,7 +67,8 @@ namespace lumbricus
                 ExcParameter("Finest level",
                              "is " + std::to_string(common.finest) +
                                ", less than 'Coarsest level', " +
-                               std::to_string(common.coarsest) + "."));
+                               std::to_string(common.coarsest) +
+                               ". Raise it, or lower that."));
     for (const auto &[tissue, text] : of_tissues)
       parse(tissue, text);
   }
@@ -97,8 +98,9 @@ namespace lumbricus
                 ExcInput("Parameter 'Adaptivity/" + of_tissues_name +
                          "' names the tissue '" +
                          (unknown.empty() ? "" : unknown.begin()->first) +
-                         "', which the body does not have. It has " + names +
-                         "."));
+                         "', which the body does not have. Name one that it "
+                         "has: " +
+                         names + "."));
   }
 
 

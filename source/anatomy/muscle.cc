@@ -45,12 +45,12 @@ namespace lumbricus
                 ExcParameter("Fibres",
                              "is not set: the muscle '" + muscle_name +
                                "' has no fibres. Set it to one of " +
-                               Registry<FibreField>::names() + "."));
+                               Registry<FibreField>::quoted_names() + "."));
     AssertThrow(activation_choice.get() != nullptr,
                 ExcParameter("Active stretch",
                              "is not set: the muscle '" + muscle_name +
                                "' has no active stretch. Set it to one of " +
-                               Registry<Activation>::names() + "."));
+                               Registry<Activation>::quoted_names() + "."));
     fibre_choice.check_parameters();
     activation_choice.check_parameters();
   }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/anatomy/tissue.h>
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/patterns.h>
 
 namespace lumbricus
 {
@@ -17,7 +19,8 @@ namespace lumbricus
     prm.add_parameter("Muscles",
                       muscle_names,
                       "The muscles whose fibres run in this tissue, each a "
-                      "section in Muscles; empty for a passive tissue.");
+                      "section in Muscles; empty for a passive tissue.",
+                      dealii::Patterns::List(Name()));
   }
 
 
@@ -34,6 +37,7 @@ namespace lumbricus
   Tissue::check_parameters() const
   {
     law_choice.check_parameters();
+    check_no_name_twice("Muscles", muscle_names);
   }
 
 

@@ -61,7 +61,8 @@ namespace lumbricus
         folder.path() + "/" + checkpoint + "/" + name;
       AssertThrow(content_of(file_name) == content,
                   ExcSolveFailed("The file '" + file_name +
-                                 "' is not on disk as it was written."));
+                                 "' is not on disk as it was written. Check "
+                                 "the disk."));
       return "file " + std::to_string(checksum(content)) + " " +
              std::to_string(content.size()) + " " + name + "\n";
     }
@@ -169,8 +170,8 @@ namespace lumbricus
         files::remove_all(path, error);
         files::create_directories(path, error);
         if (error)
-          reason =
-            "The folder '" + path + "' cannot be made: " + error.message();
+          reason = "The folder '" + path +
+                   "' cannot be made: " + error.message() + ".";
       }
     throw_on_all_ranks<ExcSolveFailed>(reason, comm);
 
@@ -234,7 +235,7 @@ namespace lumbricus
               break;
             }
           skipped += "The checkpoint '" + found.path +
-                     "' is damaged: " + wrong + " It is left out.\n";
+                     "' cannot be used: " + wrong + " It is left out.\n";
         }
 
     path = dealii::Utilities::MPI::broadcast(comm, path);
@@ -294,8 +295,13 @@ namespace lumbricus
         }
 
     std::ifstream in(path + "/progress");
-    run_progress = RunProgress::read(in);
-    return "";
+    std::string   unknown;
+    run_progress = RunProgress::read(in, unknown);
+    return unknown.empty() ?
+             "" :
+             "it is of version " + version + " and has '" + unknown +
+               "', which this version, " LUMBRICUS_VERSION
+               ", does not know. Go on with that version.";
   }
 
 
@@ -379,7 +385,10 @@ namespace lumbricus
     const std::string wrong =
       n_read == n_owned && begin == n_cells ?
         "" :
-        "The checkpoint '" + path + "' is not of this mesh.";
+        "The checkpoint '" + path + "' is of " + std::to_string(begin) +
+          " cells, but the mesh of its parameters has " +
+          std::to_string(n_cells) + ". Go on with the version that wrote it, " +
+          version + ", or start the run from its parameter file.";
     throw_on_all_ranks<ExcInput>(wrong, comm);
     return state;
   }

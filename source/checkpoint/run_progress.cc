@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/checkpoint/run_progress.h>
 
-#include <deal.II/base/exceptions.h>
-
 #include <iomanip>
 #include <istream>
 #include <limits>
@@ -27,7 +25,7 @@ namespace lumbricus
 
 
   RunProgress
-  RunProgress::read(std::istream &in)
+  RunProgress::read(std::istream &in, std::string &unknown)
   {
     RunProgress progress;
     std::string item, name;
@@ -55,7 +53,10 @@ namespace lumbricus
           progress.vtu_files.emplace_back(t, name);
         }
       else
-        AssertThrow(false, dealii::ExcMessage("unknown item " + item));
+        {
+          unknown = item;
+          break;
+        }
     return progress;
   }
 } // namespace lumbricus

@@ -1,10 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 
+#include <set>
 #include <sstream>
 
 namespace lumbricus
 {
+  void
+  check_no_name_twice(const std::string              &parameter,
+                      const std::vector<std::string> &names)
+  {
+    std::set<std::string> taken;
+    for (const std::string &name : names)
+      AssertThrow(taken.insert(name).second,
+                  ExcParameter(parameter,
+                               "has '" + name +
+                                 "' twice. Leave one of them out."));
+  }
+
+
+
   bool
   is_thrown_on_all_ranks(const dealii::ExceptionBase &exception)
   {

@@ -43,6 +43,32 @@ namespace lumbricus
 
 
 
+    // What muParser takes, but hardly in the sense that was meant: a comma for
+    // a decimal point, an assignment for a comparison. Empty if there is
+    // nothing.
+    std::string
+    misunderstanding(const std::string &formula)
+    {
+      int depth = 0;
+      for (std::size_t i = 0; i < formula.size(); ++i)
+        {
+          const char c = formula[i];
+          depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+          if (c == ',' && depth == 0)
+            return "it has a comma outside of a function. Decimals have a "
+                   "point.";
+          if (c == '=' && formula[i + 1] == '=')
+            ++i;
+          else if (c == '=' &&
+                   (i == 0 || std::string("<>!").find(formula[i - 1]) ==
+                                std::string::npos))
+            return "it has '=', which is no comparison. That is '=='.";
+        }
+      return "";
+    }
+
+
+
     // What muParser says, without what deal.II puts in front.
     std::string
     parser_message(const dealii::ExceptionBase &exception)
@@ -68,8 +94,10 @@ namespace lumbricus
     std::map<std::string, double> constants = user_constants;
     constants["pi"]                         = dealii::numbers::PI;
 
-    std::string reason;
-    if (formula.find_first_not_of(" \t") == std::string::npos)
+    std::string reason = misunderstanding(formula);
+    if (!reason.empty())
+      ; // muParser would not mind
+    else if (formula.find_first_not_of(" \t") == std::string::npos)
       reason = "it is empty.";
     else
       try

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/json_parameters.h>
+#include <lumbricus/core/prm_scanner.h>
 
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
@@ -23,6 +24,39 @@ namespace lumbricus
 
 
 
+    // One line of a .prm file holds it.
+    void
+    check_text(const std::string &file_name, const std::string &text)
+    {
+      const std::string unfit = unfit_for_a_line(text);
+      AssertThrow(unfit.empty(),
+                  ExcInput(file_name + ": '" + text + "' has " + unfit +
+                           " in .prm files. Leave it out."));
+    }
+
+
+
+    void
+    check_names(const std::string &file_name, const Tree &tree)
+    {
+      for (const auto &entry : tree)
+        {
+          const std::string &name = entry.first;
+          check_text(file_name, name);
+          AssertThrow(tree.count(name) == 1,
+                      ExcInput(file_name + ": the name '" + name +
+                               "' is there twice in one section. Leave one "
+                               "of them out."));
+          AssertThrow(name.find_first_of("/=") == std::string::npos,
+                      ExcInput(file_name + ": '" + name +
+                               "' is no name of a section or parameter. "
+                               "Sections are objects, { \"Section\": { "
+                               "\"Name\": value } }."));
+        }
+    }
+
+
+
     std::string
     list(const std::string &file_name,
          const std::string &name,
@@ -35,6 +69,7 @@ namespace lumbricus
                       ExcInput(file_name + ": the list '" + name +
                                "' has a list or a section in it. Write lists "
                                "of lists as text, as in a .prm file."));
+          check_text(file_name, element.data());
           text += (text.empty() ? "" : ", ") + element.data();
         }
       return text;
@@ -45,15 +80,19 @@ namespace lumbricus
     std::string
     content(const std::string &file_name, const Tree &tree)
     {
+      check_names(file_name, tree);
       std::string text;
       for (const auto &[name, child] : tree)
-        if (is_array(child))
-          text += "set " + name + " = " + list(file_name, name, child) + "\n";
-        else if (child.empty())
-          text += "set " + name + " = " + child.data() + "\n";
-        else
-          text +=
-            "subsection " + name + "\n" + content(file_name, child) + "end\n";
+        {
+          check_text(file_name, child.data());
+          if (is_array(child))
+            text += "set " + name + " = " + list(file_name, name, child) + "\n";
+          else if (child.empty())
+            text += "set " + name + " = " + child.data() + "\n";
+          else
+            text +=
+              "subsection " + name + "\n" + content(file_name, child) + "end\n";
+        }
       return text;
     }
   } // namespace
@@ -71,8 +110,11 @@ namespace lumbricus
       }
     catch (const boost::property_tree::json_parser_error &error)
       {
-        wrong = file_name + ", line " + std::to_string(error.line()) +
-                ": this is no JSON, " + error.message() + ".";
+        wrong =
+          file_name + ", line " + std::to_string(error.line()) +
+          ": this is no JSON, " + error.message() +
+          ". Names and texts are in double quotes, commas between entries "
+          "and not after the last, and there are no comments.";
       }
     AssertThrow(wrong.empty(), ExcInput(wrong));
     AssertThrow(!is_array(tree) && tree.data().empty(),

@@ -72,6 +72,12 @@ namespace lumbricus
                   dealii::Utilities::to_string(largest) +
                   ". Change them so that the first step is not smaller than "
                   "the smallest and not larger than the largest."));
+    std::ostringstream too_often;
+    too_often << "Parameter 'Time/Result interval' is " << interval
+              << ", less than 'Time/Smallest step', " << smallest
+              << ". Raise it, or set it to 0 for none.";
+    AssertThrow(interval == 0. || interval >= smallest,
+                ExcInput(too_often.str()));
   }
 
 

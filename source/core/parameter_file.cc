@@ -3,13 +3,17 @@
 #include <lumbricus/core/json_parameters.h>
 #include <lumbricus/core/parameter_file.h>
 #include <lumbricus/core/pattern_words.h>
+#include <lumbricus/core/patterns.h>
 #include <lumbricus/core/prm_scanner.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -29,10 +33,34 @@ namespace lumbricus
     {
       const std::string trimmed =
         dealii::Utilities::trim(line.substr(0, line.find('#')));
-      for (const std::string keyword : {"include ", "INCLUDE "})
-        if (trimmed.compare(0, keyword.size(), keyword) == 0)
+      for (const std::string keyword : {"include", "INCLUDE"})
+        if (trimmed.size() > keyword.size() &&
+            trimmed.compare(0, keyword.size(), keyword) == 0 &&
+            std::isspace(trimmed[keyword.size()]))
           return dealii::Utilities::trim(trimmed.substr(keyword.size()));
       return "";
+    }
+
+
+
+    // All of a file, without the mark that some editors put first.
+    std::string
+    content_of(std::istream &in)
+    {
+      const std::string all(std::istreambuf_iterator<char>(in), {});
+      const std::string mark = "\xEF\xBB\xBF";
+      return all.compare(0, mark.size(), mark) == 0 ? all.substr(mark.size()) :
+                                                      all;
+    }
+
+
+
+    bool
+    is_text(const std::string &content)
+    {
+      return std::none_of(content.begin(), content.end(), [](const char c) {
+        return std::iscntrl(static_cast<unsigned char>(c)) && !std::isspace(c);
+      });
     }
 
 
@@ -68,6 +96,37 @@ namespace lumbricus
 
 
 
+    // The only one of the same name in another section; empty if there is none,
+    // or more.
+    std::string
+    same_name_elsewhere(const std::string           &path,
+                        const std::set<std::string> &known)
+    {
+      std::string found;
+      for (const std::string &other : known)
+        if (last_name(other) == last_name(path))
+          {
+            if (!found.empty())
+              return "";
+            found = other;
+          }
+      return found;
+    }
+
+
+
+    // Whether a value is positive, but tiny or infinite.
+    bool
+    is_extreme(const std::string &value)
+    {
+      char        *end    = nullptr;
+      const double number = std::strtod(value.c_str(), &end);
+      return end == value.c_str() + value.size() && number > 0. &&
+             !PositiveNumber().match(value);
+    }
+
+
+
     std::string
     quoted_list(const std::vector<std::string> &names)
     {
@@ -83,15 +142,23 @@ namespace lumbricus
   void
   ParameterFile::read(const std::string &file_name)
   {
-    std::ifstream in(file_name);
-    AssertThrow(in && !std::filesystem::is_directory(file_name),
+    std::ifstream file_stream(file_name);
+    AssertThrow(file_stream && !std::filesystem::is_directory(file_name),
                 ExcInput(
                   "The parameter file '" + file_name + "'" +
                   (being_read.empty() ?
                      std::string() :
                      ", which '" + being_read.back() + "' includes,") +
-                  " cannot be read. Give the path of a .prm or .json file; the "
-                  "gallery in parameters/ has some."));
+                  " cannot be read. Give the path of a .prm or .json file" +
+                  (being_read.empty() ?
+                     "; the gallery in parameters/ has some." :
+                     ", from the folder of the file that includes it.")));
+    const std::string content = content_of(file_stream);
+    AssertThrow(is_text(content),
+                ExcInput("The parameter file '" + file_name +
+                         "' is not plain text. Give a .prm or .json file, in "
+                         "UTF-8."));
+    std::istringstream in(content);
     if (std::filesystem::path(file_name).extension() == ".json")
       {
         sources.push_back({file_name, prm_from_json(file_name, in), false});
@@ -143,12 +210,19 @@ namespace lumbricus
   void
   ParameterFile::set(const std::string &setting)
   {
-    const auto equals = setting.find('=');
-    AssertThrow(equals != std::string::npos && equals > 0,
+    const auto               equals = setting.find('=');
+    const std::string        full   = setting.substr(0, equals);
+    std::vector<std::string> path =
+      dealii::Utilities::split_string_list(full + "/", '/');
+    AssertThrow(equals != std::string::npos && !path.empty() &&
+                  std::count(path.begin(), path.end(), "") == 0,
                 ExcInput("--set '" + setting +
                          "' is not of the form --set \"Section/Name=value\"."));
-    std::vector<std::string> path = split_path(setting.substr(0, equals));
-    const std::string        name = path.back();
+    const std::string unfit = unfit_for_a_line(setting);
+    AssertThrow(unfit.empty(),
+                ExcInput("--set '" + setting + "' has " + unfit +
+                         " in parameter files. Leave it out."));
+    const std::string name = path.back();
     path.pop_back();
 
     std::string text;
@@ -188,25 +262,32 @@ namespace lumbricus
         path = line.path;
     return place(number) + ": the parameter '" + path + "' is '" +
            parts[2].str() + "', but has to be " + pattern_in_words(parts[3]) +
-           ".";
+           (is_extreme(parts[2]) && parts[3] == "[A number > 0]" ?
+              ", from 1e-100 to 1e100." :
+              ".");
   }
 
 
 
-  std::string
-  ParameterFile::Source::syntax_error(const std::string &message) const
+  void
+  ParameterFile::check_syntax() const
   {
-    static const std::regex format(
-      "Line <([0-9]+)> of file <[^>]*>:([\\s\\S]*)");
-    static const std::regex blanks("\\s+");
-    std::smatch             parts;
-    const bool              has_line = std::regex_match(message, parts, format);
-    const std::string       text =
-      std::regex_replace(has_line ? parts[2].str() : message, blanks, " ");
-    return (has_line ? place(std::stoul(parts[1])) : name) + ": " +
-           dealii::Utilities::trim(text) +
-           "\nThe lines of a parameter file are 'set Name = value', 'subsection "
-           "Name' and, for each of these, 'end'; # starts a comment.";
+    bool any = false;
+    for (const Source &source : sources)
+      {
+        const PrmMistake mistake = first_mistake(source.text);
+        AssertThrow(mistake.line == 0,
+                    ExcInput(source.place(mistake.line) + ": " + mistake.what +
+                             "\nThe lines of a parameter file are 'set Name = "
+                             "value', 'subsection Name' and, for each of "
+                             "these, 'end'; # starts a comment."));
+        for (const PrmLine &line : scan_prm(source.text))
+          any = any || !line.is_section;
+      }
+    AssertThrow(any || sources.empty(),
+                ExcInput("The parameter file '" + sources.back().name +
+                         "' sets nothing. Copy one of the gallery in "
+                         "parameters/ and change it."));
   }
 
 
@@ -226,9 +307,23 @@ namespace lumbricus
       }
     catch (const dealii::ExceptionBase &exception)
       {
-        reason = source.syntax_error(plain_message(exception));
+        // What first_mistake() does not know.
+        reason = source.name + ": " + plain_message(exception);
       }
     AssertThrow(reason.empty(), ExcInput(reason));
+  }
+
+
+
+  ParameterFile::Names
+  ParameterFile::known_names() const
+  {
+    std::ostringstream declared_text;
+    prm.print_parameters(declared_text, short_style);
+    Names known;
+    for (const PrmLine &line : scan_prm(declared_text.str()))
+      (line.is_section ? known.sections : known.entries).insert(line.path);
+    return known;
   }
 
 
@@ -236,28 +331,41 @@ namespace lumbricus
   void
   ParameterFile::check_names() const
   {
-    std::ostringstream declared_text;
-    prm.print_parameters(declared_text, short_style);
-    std::set<std::string> entries, sections;
-    for (const PrmLine &line : scan_prm(declared_text.str()))
-      (line.is_section ? sections : entries).insert(line.path);
-
+    const Names known = known_names();
     for (const Source &source : sources)
       for (const PrmLine &line : scan_prm(source.text))
         {
-          const auto &known = line.is_section ? sections : entries;
-          AssertThrow(known.count(line.path) > 0,
-                      ExcInput(unknown_name(source, line, known, entries)));
+          const auto &alike = line.is_section ? known.sections : known.entries;
+          AssertThrow(alike.count(line.path) > 0,
+                      ExcInput(unknown_name(source, line, known)));
+        }
+  }
+
+
+
+  void
+  ParameterFile::check_names_in_known_sections() const
+  {
+    const Names known = known_names();
+    for (const Source &source : sources)
+      for (const PrmLine &line : scan_prm(source.text))
+        {
+          std::string section = parent_of(line.path);
+          if (!section.empty())
+            section.pop_back();
+          AssertThrow(line.is_section || known.entries.count(line.path) > 0 ||
+                        (!section.empty() &&
+                         known.sections.count(section) == 0),
+                      ExcInput(unknown_name(source, line, known)));
         }
   }
 
 
 
   std::string
-  ParameterFile::unknown_name(const Source                &source,
-                              const PrmLine               &line,
-                              const std::set<std::string> &known,
-                              const std::set<std::string> &known_entries) const
+  ParameterFile::unknown_name(const Source  &source,
+                              const PrmLine &line,
+                              const Names   &known) const
   {
     const std::string what = line.is_section ? "section" : "parameter";
     const std::string opening =
@@ -265,17 +373,26 @@ namespace lumbricus
     const std::string name = last_name(line.path);
 
     const std::string choice =
-      line.is_section ? other_choice(line.path, known_entries) : "";
+      line.is_section ? other_choice(line.path, known.entries) : "";
     if (!choice.empty())
       return opening + "not used, because " + choice + ". Choose '" + name +
              "' there, or remove the section.";
 
     // Suggest among the neighbours in the same section.
-    const std::vector<std::string> neighbours = names_beside(line.path, known);
+    const auto &alike = line.is_section ? known.sections : known.entries;
+    const auto &other = line.is_section ? known.entries : known.sections;
+    const std::vector<std::string> neighbours = names_beside(line.path, alike);
     const std::string              hint       = nearest(name, neighbours);
-    std::string                    message    = opening + "unknown";
-    if (!hint.empty())
+    const std::string elsewhere = same_name_elsewhere(line.path, alike);
+    std::string       message   = opening + "unknown";
+    if (other.count(line.path) > 0)
+      message += line.is_section ? ": that is a parameter. Set it to a value." :
+                                   ": that is a section. Set a parameter in "
+                                   "it.";
+    else if (!hint.empty())
       message += ".\nDid you mean '" + parent_of(line.path) + hint + "'?";
+    else if (!elsewhere.empty())
+      message += ".\nDid you mean '" + elsewhere + "'?";
     else if (line.is_section)
       message +=
         " or not used.\nThe sections used there: " + quoted_list(neighbours) +
@@ -327,14 +444,32 @@ namespace lumbricus
 
 
 
+  bool
+  ParameterFile::extend(ParameterOwner &root)
+  {
+    try
+      {
+        return root.extend_parameters(prm, Extent::chosen);
+      }
+    catch (const ExcInput &)
+      {
+        // What is missing may have been set under a misspelt name.
+        check_names_in_known_sections();
+        throw;
+      }
+  }
+
+
+
   void
   ParameterFile::parse(ParameterOwner &root)
   {
+    check_syntax();
     root.declare_parameters(prm);
     do
       for (const Source &source : sources)
         parse_source(source, true);
-    while (root.extend_parameters(prm, Extent::chosen));
+    while (extend(root));
 
     check_names();
     for (const Source &source : sources)

@@ -28,6 +28,22 @@ namespace lumbricus
 
 
 
+    // "3 entries", "1 to 4 entries"; without the bounds there are always.
+    std::string
+    entries(const std::string &least, const std::string &most)
+    {
+      if (least == most)
+        return least + " entries";
+      const bool any =
+        most == std::to_string(std::numeric_limits<unsigned int>::max());
+      return (!any         ? least + " to " + most + " " :
+              least != "0" ? "at least " + least + " " :
+                             "") +
+             "entries";
+    }
+
+
+
     // "'a', 'b' or 'c'" of "a|b|c".
     std::string
     alternatives(const std::string &names)
@@ -66,6 +82,8 @@ namespace lumbricus
       return "true or false";
     if (description == "[A number > 0]")
       return "a number > 0";
+    if (description == "[Name]")
+      return "a name, without '/'";
     if (std::regex_match(description, parts, real))
       return "a number" + range(parts[1], parts[2]);
     if (std::regex_match(description, parts, integer))
@@ -75,10 +93,10 @@ namespace lumbricus
     if (std::regex_match(description, parts, selections))
       return "a list out of " + alternatives(parts[1]);
     if (std::regex_match(description, parts, list))
-      return "a list of " +
-             (parts[2] == parts[3] ? parts[2].str() + " entries" :
-                                     std::string("entries")) +
-             ", each " + pattern_in_words(parts[1]);
+      return "a list of " + entries(parts[2], parts[3]) + ", each " +
+             pattern_in_words(parts[1]);
+    if (description.compare(0, 5, "[Map ") == 0)
+      return "a list of entries 'name: value'";
     return description;
   }
 } // namespace lumbricus

@@ -28,6 +28,68 @@ namespace lumbricus
 
 
 
+    // A line, with those that a '\' at its end joins to it, without its
+    // comment.
+    struct WholeLine
+    {
+      unsigned int number; // of the first
+      std::string  text;
+    };
+
+
+
+    std::vector<WholeLine>
+    whole_lines(const std::string &text)
+    {
+      std::vector<WholeLine> lines;
+      std::istringstream     in(text);
+      std::string            raw;
+      bool                   goes_on = false;
+      for (unsigned int number = 1; std::getline(in, raw); ++number)
+        {
+          std::string part = dealii::Utilities::trim(raw);
+          if (!goes_on)
+            lines.push_back({number, ""});
+          goes_on = !part.empty() && part.back() == '\\';
+          if (goes_on)
+            part.pop_back();
+          lines.back().text += part;
+        }
+      for (WholeLine &line : lines)
+        line.text =
+          dealii::Utilities::trim(line.text.substr(0, line.text.find('#')));
+      return lines;
+    }
+
+
+
+    bool
+    is_end(const std::string &line)
+    {
+      return line == "end" || line == "END";
+    }
+
+
+
+    // "Name" of "Name = value".
+    std::string
+    name_in(const std::string &entry)
+    {
+      return dealii::Utilities::trim(entry.substr(0, entry.find('=')));
+    }
+
+
+
+    // As much of a line as a message takes.
+    std::string
+    beginning(const std::string &line)
+    {
+      constexpr std::size_t most = 60;
+      return line.size() <= most ? line : line.substr(0, most) + "...";
+    }
+
+
+
     std::string
     join(const std::vector<std::string> &sections, const std::string &name)
     {
@@ -70,40 +132,86 @@ namespace lumbricus
   {
     std::vector<PrmLine>     lines;
     std::vector<std::string> sections;
-    std::istringstream       in(text);
-    std::string              raw;
-    bool                     continued = false;
-    for (unsigned int number = 1; std::getline(in, raw); ++number)
+    for (const WholeLine &whole : whole_lines(text))
       {
-        const std::string line =
-          dealii::Utilities::trim(raw.substr(0, raw.find('#')));
-        const bool        continues = !line.empty() && line.back() == '\\';
         bool              is_section, is_entry;
-        const std::string section = behind(line, "subsection", is_section);
-        const std::string entry   = behind(line, "set", is_entry);
+        const std::string section =
+          behind(whole.text, "subsection", is_section);
+        const std::string entry = behind(whole.text, "set", is_entry);
 
-        if (continued)
-          ; // the value of the entry above goes on
-        else if (is_section)
+        if (is_section)
           {
             sections.push_back(section);
-            lines.push_back({number, join(sections, ""), true});
+            lines.push_back({whole.number, join(sections, ""), true});
             lines.back().path.pop_back();
           }
-        else if (line == "end" || line == "END")
+        else if (is_end(whole.text))
           {
             if (!sections.empty())
               sections.pop_back();
           }
         else if (is_entry)
           lines.push_back(
-            {number,
-             join(sections,
-                  dealii::Utilities::trim(entry.substr(0, entry.find('=')))),
-             false});
-        continued = continues;
+            {whole.number, join(sections, name_in(entry)), false});
       }
     return lines;
+  }
+
+
+
+  PrmMistake
+  first_mistake(const std::string &text)
+  {
+    std::vector<WholeLine> open;
+    for (const WholeLine &whole : whole_lines(text))
+      {
+        bool              is_section, is_entry;
+        const std::string section =
+          behind(whole.text, "subsection", is_section);
+        const std::string entry = behind(whole.text, "set", is_entry);
+        const std::string name  = is_section ? section : name_in(entry);
+        const std::string line  = "'" + beginning(whole.text) + "'";
+
+        if ((is_section || is_entry) && name.find('/') != std::string::npos)
+          return {whole.number,
+                  line + " has a '/' in its name. Sections are nested here: "
+                         "each part before a '/' is a 'subsection'."};
+        if (is_section)
+          open.push_back(whole);
+        else if (is_entry)
+          {
+            if (entry.find('=') == std::string::npos)
+              return {whole.number, line + " has no '='."};
+            if (name.empty())
+              return {whole.number, line + " has no name before the '='."};
+          }
+        else if (is_end(whole.text))
+          {
+            if (open.empty())
+              return {whole.number, "'end' without a 'subsection' to end."};
+            open.pop_back();
+          }
+        else if (!whole.text.empty())
+          return {whole.number, line + " is none of the lines there are."};
+      }
+    if (!open.empty())
+      return {open.back().number,
+              "'" + beginning(open.back().text) + "' has no 'end'."};
+    return {};
+  }
+
+
+
+  std::string
+  unfit_for_a_line(const std::string &text)
+  {
+    if (text.find('#') != std::string::npos)
+      return "a '#', which starts a comment";
+    if (text.find_first_of("\n\r") != std::string::npos)
+      return "a line break";
+    if (!text.empty() && text.back() == '\\')
+      return "a '\\' at its end, with which a line goes on";
+    return "";
   }
 
 

@@ -4,6 +4,7 @@
 #include <lumbricus/core/patterns.h>
 #include <lumbricus/core/registry.h>
 #include <lumbricus/geometry/block_patch.h>
+#include <lumbricus/geometry/coarse_cells.h>
 #include <lumbricus/geometry/geometry.h>
 
 #include <deal.II/base/utilities.h>
@@ -116,7 +117,8 @@ namespace lumbricus
                                              dim));
     prm.add_parameter("Tissue name",
                       tissue,
-                      "[name] What the block is made of.");
+                      "[name] What the block is made of.",
+                      Name());
     prm.add_parameter("Liquid",
                       liquid,
                       "[true or false] Whether the tissue is a liquid, whose "
@@ -131,7 +133,8 @@ namespace lumbricus
                       patch_names,
                       "Rectangles on faces that are boundaries of their own, "
                       "names of your own, each with a section of that name "
-                      "here. The name of the face stands for the rest of it.");
+                      "here. The name of the face stands for the rest of it.",
+                      dealii::Patterns::List(Name()));
   }
 
 
@@ -147,9 +150,8 @@ namespace lumbricus
   void
   Block::check_parameters() const
   {
-    AssertThrow(!tissue.empty(),
-                ExcInput("Parameter '" + path +
-                         "/Tissue name' is empty. Give the tissue a name."));
+    check_no_name_twice("Patches", patch_names);
+    check_n_coarse_cells(path, double(n_cells[0]) * n_cells[1] * n_cells[2]);
 
     for (unsigned int i = 0; i < patches.size(); ++i)
       {

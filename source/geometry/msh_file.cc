@@ -168,7 +168,8 @@ namespace lumbricus
           const std::string line      = in.trimmed();
           const auto        first = line.find('"'), last = line.rfind('"');
           if (first == last)
-            in.fail_in_line("has no name in quotation marks.");
+            in.fail_in_line("has no name in quotation marks. " +
+                            MshLines::how_to_write);
           const std::string name =
             dealii::Utilities::trim(line.substr(first + 1, last - first - 1));
           if (dimension == 3)
@@ -227,11 +228,11 @@ namespace lumbricus
           in.need();
           for (unsigned int i = 0; i < 3; ++i)
             in.get<int>();
-          std::vector<std::size_t> nodes(in.get_count());
-          for (std::size_t &node : nodes)
+          std::vector<std::size_t> nodes;
+          for (std::size_t n = in.get_count(); n > 0; --n)
             {
               in.need();
-              node = in.get_count();
+              nodes.push_back(in.get_count());
             }
           for (const std::size_t node : nodes)
             {

@@ -133,11 +133,13 @@ namespace lumbricus
           if (used.count(tag) == 0)
             continue;
           const auto [tissue, segment] = tissue_and_segment(name);
-          if (tissue.empty() || segment == 0)
+          if (tissue.empty() || segment == 0 ||
+              tissue.find_first_of("/#,") != std::string::npos)
             messages.fail(
               " has a physical volume '" + name +
-              "'. The name has to be that of a tissue, with the number of "
-              "the segment, from 1, after it, as in 'wall 2'.");
+              "'. The name has to be that of a tissue, without '/', '#' and "
+              "commas, with the number of the segment, from 1, after it, as in "
+              "'wall 2'.");
           if (index.insert({tissue, mesh.tissues.size()}).second)
             mesh.tissues.push_back({tissue, false, false});
           segments.insert(segment);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/patterns.h>
 #include <lumbricus/core/registry.h>
+#include <lumbricus/geometry/coarse_cells.h>
 #include <lumbricus/geometry/extrusion.h>
 #include <lumbricus/geometry/round_section.h>
 
@@ -137,6 +138,7 @@ namespace lumbricus
                              n_along,
                              "faces of the mesh have to lie in the middle, "
                              "where the cylinder is measured");
+    check_n_coarse_cells(path, section.n_cells(filled) * n_along);
   }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/patterns.h>
 #include <lumbricus/geometry/round_section.h>
 
 #include <deal.II/base/patterns.h>
@@ -28,7 +29,7 @@ namespace lumbricus
       "[names] The tissues the wall is made of, from inside to outside, "
       "separated by commas. Each layer is a tissue of its own, with its own "
       "law and muscle.",
-      Patterns::List(Patterns::Anything(), 1, 64));
+      Patterns::List(Name(), 1, 64));
     prm.add_parameter(
       "Cross-section",
       part,
@@ -62,11 +63,11 @@ namespace lumbricus
   {
     std::set<std::string> taken(reserved.begin(), reserved.end());
     for (const std::string &layer : layers)
-      AssertThrow(!layer.empty() && taken.insert(layer).second,
+      AssertThrow(taken.insert(layer).second,
                   ExcInput("Parameter '" + path + "/Wall layers': the name '" +
                            layer +
-                           "' is empty or already that of another tissue of "
-                           "this body. Give every layer a name of its own."));
+                           "' is already that of another tissue of this body. "
+                           "Give every layer a name of its own."));
     check_even(
       path,
       "Cells around a quarter",
@@ -86,6 +87,20 @@ namespace lumbricus
                   std::to_string(thicknesses.size()) + " entries, but '" +
                   path + "/Wall layers' has " + std::to_string(layers.size()) +
                   ". Give one thickness for every layer."));
+  }
+
+
+
+  double
+  RoundSection::n_cells(const bool filled) const
+  {
+    const double around = n_around_quarter;
+    const double core   = around / 2 * around / 2;
+    const double rings  = double(n_layers()) * n_layer_cells;
+    return (part == "full" ? 4 :
+            part == "half" ? 2 :
+                             1) *
+           (around * rings + (filled ? core + around * n_disk_rings : 0.));
   }
 
 

@@ -2,6 +2,7 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/patterns.h>
 #include <lumbricus/core/registry.h>
+#include <lumbricus/geometry/coarse_cells.h>
 #include <lumbricus/geometry/extrusion.h>
 #include <lumbricus/geometry/round_section.h>
 #include <lumbricus/geometry/segment_measures.h>
@@ -269,6 +270,10 @@ namespace lumbricus
                              n_along,
                              "faces of the mesh have to lie in the middle of "
                              "the segment, where it is measured");
+    check_n_coarse_cells(path,
+                         section.n_cells(true) *
+                           (double(n) * n_along + 2. * n_cap +
+                            2. * (n - 1) * n_half_septum));
     section.check_thicknesses(path, common.layer_thicknesses);
     range_of_segments(path + "/" + ranges_name, ranges(), n);
     for (const SegmentRange &range : ranges())

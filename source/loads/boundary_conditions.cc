@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/patterns.h>
 #include <lumbricus/loads/boundary_conditions.h>
 
 #include <algorithm>
@@ -90,7 +91,8 @@ namespace lumbricus
     AssertThrow(type.get() != nullptr,
                 ExcParameter("Type",
                              "is not set. Set it to one of " +
-                               Registry<BoundaryCondition>::names() + "."));
+                               Registry<BoundaryCondition>::quoted_names() +
+                               "."));
     type.check_parameters();
   }
 
@@ -103,7 +105,8 @@ namespace lumbricus
     prm.add_parameter("Names",
                       names,
                       "The loads and supports of this run, names of your "
-                      "own, each with a section of that name here.");
+                      "own, each with a section of that name here.",
+                      dealii::Patterns::List(Name()));
     prm.add_parameter("Minimal support",
                       hold_rigid_motions,
                       "Whether to hold the rigid motions that nothing else "
@@ -130,7 +133,10 @@ namespace lumbricus
   void
   BoundaryConditions::check_parameters() const
   {
-    within_section(section, [&]() { conditions.check_parameters(); });
+    within_section(section, [&]() {
+      check_no_name_twice("Names", names);
+      conditions.check_parameters();
+    });
   }
 
 

@@ -62,7 +62,7 @@ namespace lumbricus
         out << pending.str() << std::flush;
         if (!out)
           reason = "The file '" + file_name +
-                   "' cannot be written: " + std::strerror(errno);
+                   "' cannot be written: " + std::strerror(errno) + ".";
       }
     pending.str("");
     throw_on_all_ranks<ExcSolveFailed>(reason, comm);

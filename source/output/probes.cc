@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/expression.h>
 #include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/output/probes.h>
 
@@ -7,6 +8,8 @@
 #include <deal.II/base/utilities.h>
 #include <deal.II/grid/filtered_iterator.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -43,7 +46,12 @@ namespace lumbricus
         {
           const auto coordinates = dealii::Utilities::string_to_double(
             dealii::Utilities::split_string_list(text, ','));
-          AssertThrow(coordinates.size() == dim,
+          AssertThrow(coordinates.size() == dim &&
+                        std::all_of(coordinates.begin(),
+                                    coordinates.end(),
+                                    [](const double x) {
+                                      return std::isfinite(x);
+                                    }),
                       dealii::ExcMessage("not three numbers"));
           all.emplace_back(coordinates[0], coordinates[1], coordinates[2]);
         }
@@ -89,7 +97,7 @@ namespace lumbricus
   {
     places.clear();
     for (const auto &point : points)
-      places.push_back(find(point));
+      places.push_back(find(point, space));
   }
 
 
@@ -110,8 +118,18 @@ namespace lumbricus
 
 
 
+  void
+  Probes::check(const std::vector<dealii::Point<dim>> &points,
+                const MixedSpace                      &space)
+  {
+    for (const auto &point : points)
+      find(point, space);
+  }
+
+
+
   Probes::Place
-  Probes::find(const dealii::Point<dim> &point) const
+  Probes::find(const dealii::Point<dim> &point, const MixedSpace &space)
   {
     Place  best;
     double least = std::numeric_limits<double>::max();
@@ -142,8 +160,8 @@ namespace lumbricus
     const auto nearest =
       dealii::Utilities::MPI::min_max_avg(least, space.communicator());
     std::ostringstream message;
-    message << "Parameter 'Output/Points': the point (" << point
-            << ") is not in the body. Give a point of the mesh at rest; with a "
+    message << "Parameter 'Output/Points': the point " << point_text(point)
+            << " is not in the body. Give a point of the mesh at rest; with a "
                "quarter cross-section, y and z are not negative.";
     AssertThrow(nearest.min < 1e-6, ExcInput(message.str()));
     best.mine = nearest.min_index ==

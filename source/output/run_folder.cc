@@ -21,9 +21,9 @@ namespace lumbricus
         if (!folder.empty())
           std::filesystem::create_directories(folder + "/vtu", error);
         if (folder.empty())
-          reason = "it has no name";
+          reason = "it has no name.";
         else if (error)
-          reason = error.message();
+          reason = error.message() + ".";
         else
           try
             {
@@ -37,7 +37,7 @@ namespace lumbricus
         if (!reason.empty())
           reason = "The output folder '" + folder +
                    "' cannot be written: " + reason +
-                   ". Choose another with 'Output/Folder' or --output.";
+                   " Choose another with 'Output/Folder' or --output.";
       }
     throw_on_all_ranks<ExcInput>(reason, comm);
   }
@@ -73,7 +73,8 @@ namespace lumbricus
           std::filesystem::resize_file(file_name, size, error);
         if (error && reason.empty())
           reason = "The table '" + file_name +
-                   "' cannot be changed: " + error.message() + ".";
+                   "' cannot be changed: " + error.message() +
+                   ". See that it may be written.";
       }
     throw_on_all_ranks<ExcInput>(reason, comm);
   }
@@ -115,11 +116,12 @@ namespace lumbricus
         std::remove(temporary_name.c_str());
         AssertThrow(false,
                     ExcSolveFailed("The file '" + final_name +
-                                   "' cannot be written: " + reason));
+                                   "' cannot be written: " + reason + "."));
       }
     AssertThrow(std::rename(temporary_name.c_str(), final_name.c_str()) == 0,
                 ExcSolveFailed("The file '" + final_name +
-                               "' cannot be written: " + std::strerror(errno)));
+                               "' cannot be written: " + std::strerror(errno) +
+                               "."));
   }
 
 

@@ -31,6 +31,7 @@ namespace lumbricus
   {
     dealii::TimerOutput::Scope scope(timer, "setup");
     model.create(checkpoint);
+    Probes::check(parameters.probe_points.points(), model.space);
   }
 
 
@@ -74,6 +75,7 @@ namespace lumbricus
     parameters.predictor.restart(state);
     if (checkpoint == nullptr)
       results.write(state, step);
+    begun = true;
 
     const auto save = [&]() {
       dealii::TimerOutput::Scope scope(timer, "checkpoints");
@@ -117,6 +119,14 @@ namespace lumbricus
     last_state << "\nThe last good state, at time " << state.time << ", is in '"
                << folder.path() << "'.";
     AssertThrow(trouble.empty(), ExcSolveFailed(trouble + last_state.str()));
+  }
+
+
+
+  bool
+  ChainProblem::has_begun() const
+  {
+    return begun;
   }
 
 
@@ -172,7 +182,7 @@ namespace lumbricus
     catch (const ExcSolveFailed &exception)
       {
         log << "        no checkpoint: " << plain_message(exception)
-            << ". The last one is still there.\n";
+            << " The last one is still there.\n";
       }
   }
 

@@ -65,6 +65,10 @@ namespace lumbricus
             break;
           case 'r':
             restart_folder = optarg;
+            AssertThrow(!restart_folder.empty(),
+                        ExcInput("The option '--restart' needs the name of a "
+                                 "folder." +
+                                 advice));
             break;
           case ':':
             AssertThrow(false,

@@ -4,6 +4,8 @@
 #include <lumbricus/solvers/stability.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace lumbricus
@@ -14,6 +16,10 @@ namespace lumbricus
     constexpr double little = 0.1;
     // A cell with a scaled Jacobian below this is badly shaped.
     constexpr double badly_shaped = 0.05;
+
+    const std::string advice =
+      " Try a smaller 'Time/Smallest step', a smaller active stretch or load, or "
+      "a finer mesh.";
 
     // Linearise at a state under the loads of another time.
     void
@@ -32,8 +38,11 @@ namespace lumbricus
     percent(const double part)
     {
       std::ostringstream out;
-      out.precision(2);
-      out << 100. * part << " %";
+      const double       of_hundred = 100. * part;
+      if (std::abs(of_hundred) < 10.)
+        out << std::setprecision(2) << of_hundred << " %";
+      else
+        out << std::round(of_hundred) << " %";
       return out.str();
     }
 
@@ -88,6 +97,9 @@ namespace lumbricus
         const double answer_part =
           answer.stiffness / stability.response(loads).stiffness;
 
+        AssertThrow(std::isfinite(softest_part) && std::isfinite(answer_part),
+                    ExcNotConverged("it is not a number"));
+
         std::ostringstream where;
         where << "\nThe body is close to a static instability at time "
               << state.time << ": ";
@@ -118,8 +130,7 @@ namespace lumbricus
                   << "loads " << percent(answer_part) << ".";
             const std::string cells = worst_cells(model, state);
             words << (cells.empty() ?
-                        " Try a smaller 'Time/Smallest step', a smaller active "
-                        "stretch or load, or a finer mesh." :
+                        advice :
                         " Its mesh has cells that are badly shaped: " + cells +
                           ". Try a finer mesh or one of another shape there.");
           }
@@ -127,7 +138,8 @@ namespace lumbricus
     catch (const ExcNotConverged &exception)
       {
         words << "\nThe stiffness of the body at time " << state.time
-              << " cannot be computed: " << plain_message(exception) << ".";
+              << " cannot be computed: " << plain_message(exception) << "."
+              << advice;
       }
     return words.str();
   }

@@ -6,6 +6,7 @@
 #include <lumbricus/program/chain_problem.h>
 #include <lumbricus/program/run.h>
 
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -36,6 +37,29 @@ namespace lumbricus
                                "' cannot change at a restart, because the "
                                "state hangs on it. Leave it out, or start the "
                                "run from its parameter file."));
+        }
+    }
+
+
+
+    // That the results cannot even be begun is no failure of a solve.
+    template <typename Write>
+    void
+    begin_results(const Write &write, const std::function<bool()> &has_begun)
+    {
+      try
+        {
+          write();
+        }
+      catch (const ExcSolveFailed &exception)
+        {
+          if (has_begun())
+            throw;
+          AssertThrow(false,
+                      ExcInput(plain_message(exception) +
+                               " Nothing was computed. See that it may be "
+                               "written, or choose another folder with "
+                               "'Output/Folder' or --output."));
         }
     }
 
@@ -98,8 +122,18 @@ namespace lumbricus
     file.print_resolved(resolved);
     if (folder != nullptr)
       {
-        log.open(folder->path() + "/log.txt", checkpoint != nullptr);
-        write_parameters(*folder, resolved.str(), comm);
+        begin_results(
+          [&]() {
+            const std::string name   = folder->path() + "/log.txt";
+            const std::string reason = log.open(name, checkpoint != nullptr);
+            throw_on_all_ranks<ExcSolveFailed>(
+              reason.empty() ?
+                "" :
+                "The file '" + name + "' cannot be written: " + reason + ".",
+              comm);
+            write_parameters(*folder, resolved.str(), comm);
+          },
+          []() { return false; });
       }
 
     std::ostringstream version;
@@ -115,7 +149,9 @@ namespace lumbricus
     else
       try
         {
-          problem.run(*folder, resolved.str(), checkpoint.get());
+          begin_results(
+            [&]() { problem.run(*folder, resolved.str(), checkpoint.get()); },
+            [&]() { return problem.has_begun(); });
         }
       catch (const ExcInput &)
         {

@@ -16,6 +16,9 @@ namespace lumbricus
     constexpr int initialise = -1, terminate = -2, analysis = 1, factorise = 2,
                   back_substitute = 3;
 
+    const std::string advice =
+      "Its manual says what that is. Try another 'Linear solver/Method'.";
+
     // What of MUMPS depends on the precision.
     template <typename Number>
     struct Precision;
@@ -192,7 +195,8 @@ namespace lumbricus
                 ExcSolveFailed("The analysis of the matrix by MUMPS failed "
                                "with code " +
                                std::to_string(instance->info(1)) + ", " +
-                               std::to_string(instance->info(2)) + "."));
+                               std::to_string(instance->info(2)) + ". " +
+                               advice));
   }
 
 
@@ -262,7 +266,7 @@ namespace lumbricus
             continue;
           }
         AssertThrow(code != -10,
-                    ExcNotConverged("The tangent matrix is singular."));
+                    ExcNotConverged("The tangent matrix is singular"));
         AssertThrow(
           code != -13,
           ExcSolveFailed(
@@ -272,7 +276,8 @@ namespace lumbricus
                     ExcSolveFailed("The factorisation by MUMPS failed with "
                                    "code " +
                                    std::to_string(code) + ", " +
-                                   std::to_string(instance->info(2)) + "."));
+                                   std::to_string(instance->info(2)) + ". " +
+                                   advice));
       }
   }
 
@@ -299,7 +304,8 @@ namespace lumbricus
     AssertThrow(instance->info(1) >= 0,
                 ExcSolveFailed("The back substitution by MUMPS failed with "
                                "code " +
-                               std::to_string(instance->info(1)) + "."));
+                               std::to_string(instance->info(1)) + ". " +
+                               advice));
     MPI_Scatterv(centralised.data(),
                  counts.data(),
                  offsets.data(),

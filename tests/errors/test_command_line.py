@@ -7,18 +7,14 @@ import re
 import subprocess
 
 import pytest
-
 from lumbricus_run import run, run_well
+from mistakes import ManyRuns
 
 HERE = pathlib.Path(__file__).resolve().parent
 BLOCK = HERE / "block.prm"
 
 
-def call(*arguments, folder=None):
-    """Call the program without mpirun."""
-    return subprocess.run([os.environ["LUMBRICUS"], *map(str, arguments)],
-                          capture_output=True, text=True, timeout=60,
-                          cwd=folder)
+call = ManyRuns().call
 
 
 def outline(text):
@@ -156,6 +152,7 @@ def test_output_wins_over_the_file(option, tmp_path):
     ([BLOCK, "other.prm"], ["More than one parameter file", "other.prm",
                             "--help"]),
     (["--restart"], ["'--restart' needs a value", "--help"]),
+    (["--restart", ""], ["'--restart' needs the name of a folder", "--help"]),
     (["--restart", "run", BLOCK], ["Leave out the parameter file", "--set"]),
     (["--restart", "run", "-o", "there"], ["Leave out '--output'", "--set"]),
     (["--restart", "nowhere"], ["'nowhere' has no checkpoint"]),
@@ -211,7 +208,22 @@ def test_include_of_a_file_that_does_not_exist(tmp_path):
     result = call(case)
     assert result.returncode == 1
     assert f"'{tmp_path}/none.prm', which '{case}' includes, cannot be " \
-        "read" in result.stderr
+        "read. Give the path of a .prm or .json file, from the folder of the " \
+        "file that includes it." in result.stderr
+
+
+@pytest.mark.parametrize("encode", [
+    lambda text: b"\xef\xbb\xbf" + text.encode(),
+    lambda text: text.replace("\n", "\r\n").encode(),
+    lambda text: text.replace(" ", "\t").encode()])
+def test_files_of_other_editors(encode, tmp_path):
+    """A mark at the start of a file was 'could not be parsed'."""
+    case = tmp_path / "case.prm"
+    case.write_bytes(encode(f"include {BLOCK}\nsubsection Time\n"
+                            "  set End = 1\nend\nset Title = Mark\n"))
+    result = call("--check", case)
+    assert result.returncode == 0, result.stderr
+    assert "Mark" in result.stdout
 
 
 @pytest.mark.parametrize("base", ["block.prm", "chain.prm"])
@@ -310,6 +322,7 @@ def test_parameters_in_json(tmp_path):
 @pytest.mark.parametrize("settings, words", [
     (["Tissues/flesh/Neo-Hooke/a=2.3e5"], ["more than steel", "MPa"]),
     (["Geometry/block/Lengths=3000, 3000, 3000"], ["more than 1 m"]),
+    (["Geometry/block/Lengths=0.02, 0.001, 0.01"], ["less than 0.01 mm"]),
     (["Units=m, N, Pa", "Geometry/block/Lengths=0.02, 0.01, 0.01",
       "Tissues/flesh/Neo-Hooke/a=0.23"],
      ["less than 1 Pa"]),

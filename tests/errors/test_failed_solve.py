@@ -6,8 +6,8 @@ import re
 import xml.etree.ElementTree
 
 import pytest
-
 from lumbricus_run import run
+from mistakes import names, on_ranks, run_all
 
 HERE = pathlib.Path(__file__).resolve().parent
 BLOCK = HERE / "block.prm"
@@ -58,15 +58,81 @@ FAILURES = {
         ["'Boundary conditions/wall/displacement/Displacement'",
          "at time 0.515", "nan", "Change"]),
 }
+ON_TWO_RANKS = list(FAILURES)
+
+FAILURES.update({
+    # It went on for ever.
+    "linear solver that is not allowed to iterate": (
+        CHAIN, 0, ["Linear solver/Method=kept factor",
+                   "Linear solver/kept factor/Most iterations=1",
+                   "Linear solver/kept factor/Least accuracy=1e-30",
+                   "Time/Smallest step=1"],
+        ["No solution beyond time 0 ", "does not reach its tolerance in 1 "
+         "iterations"]),
+    "Newton's method that is not allowed to iterate": (
+        BLOCK, 0, ["Newton/Most iterations=1", "Time/Smallest step=0.5"],
+        ["No solution beyond time 0 ", "Newton's method does not converge "
+         "after 1 iterations", "The body is stable at time 0",
+         "100 % of that at rest", "Try a smaller 'Time/Smallest step'"]),
+    # The message ended with two full stops, and without what to try.
+    "muscle that shortens to nothing": (
+        BLOCK, 0, [FORMULA + "=1e-200", "Time/Smallest step=0.5"],
+        ["Newton's method cannot start", "The stiffness of the body at time 0 "
+         "cannot be computed: The tangent matrix is singular. Try",
+         "smaller active stretch"]),
+    # It was '-nan %'.
+    "muscle that shortens to nothing at once": (
+        BLOCK, 0, [FORMULA + "=if(t > 0, 1e-200, 1)",
+                   "Time/Smallest step=0.5"],
+        ["Newton's method cannot start", "cannot be computed: it is not a "
+         "number. Try", "smaller active stretch"]),
+    "tolerance of resets below round-off": (
+        CHAIN, 0, ["Reset/Limit=100", "Reset/Tolerance=1e-16",
+                   "Time/Smallest step=1"],
+        ["The liquid moves away from the hydrostatic state after ",
+         "segment 1 (divergence", "Raise 'Reset/Tolerance'",
+         "'Interface/Coupling'"]),
+    "body that leaps": (
+        BLOCK, 0, ["Boundary conditions/wall/displacement/Displacement"
+                   "=20*t; 0; 0", "Time/Smallest step=0.5"],
+        ["moved by more than its own length within the step", "Try a smaller "
+         "'Time/Smallest step'"]),
+    "body that is sheared": (
+        BLOCK, 0.5, [
+            "Boundary conditions/Names=wall, push, more",
+            "Boundary conditions/more/Boundary=x max",
+            "Boundary conditions/more/Type=displacement",
+            "Boundary conditions/more/displacement/Displacement="
+            "if(t > 0.505, -3, 0); 100*t; 0",
+            "Time/First step=0.01",
+            "Time/Largest step=0.01", "Time/Smallest step=0.008",
+            "Output/Every=0"],
+        ["No solution beyond time 0.5", "cells that are badly shaped",
+         "wall of segment 1 (scaled Jacobian 0.0", "Try a finer mesh or one "
+         "of another shape there"]),
+})
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
-@pytest.mark.parametrize("name", FAILURES)
-def test_last_good_state_is_left(name, ranks, tmp_path):
-    base, last_good, settings, words = FAILURES[name]
+CASES = on_ranks([(name, *failure) for name, failure in FAILURES.items()],
+                 on_two=ON_TWO_RANKS)
+
+
+def start(failure, ranks, folder, run):
+    _, base, _, settings, _ = failure
     if ranks == 2 and base == BLOCK:
         settings = settings + ["Geometry/block/Cells=2, 1, 1"]
-    result = run(base, tmp_path / "out", settings, ranks)
+    return run(base, folder / "out", settings, ranks)
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory):
+    return run_all(start, CASES, tmp_path_factory.mktemp("failures"))
+
+
+@pytest.mark.parametrize("i", range(len(CASES)), ids=names(CASES))
+def test_last_good_state_is_left(i, results):
+    (_, _, last_good, _, words), _ = CASES[i]
+    result = results[i]
     assert result.exit_code == 2, result.log + result.message
 
     everything = result.log + result.message
@@ -78,7 +144,7 @@ def test_last_good_state_is_left(name, ranks, tmp_path):
     for word in words:
         assert word in message, message
     assert f"The last good state, at time {last_good:g}, is in " \
-           f"'{tmp_path}/out'" in message
+           f"'{result.folder}'" in message
 
     # The tables end with it.
     assert result.last()["t"] == last_good

@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Wrong input ends with exit code 1 before any work, and with one message that
 names the parameter and the way out."""
-import concurrent.futures
 import pathlib
 
 import pytest
-
 from lumbricus_run import run
+from mistakes import check_one_message, names, on_ranks, run_all
 
 HERE = pathlib.Path(__file__).resolve().parent
 BLOCK = HERE / "block.prm"
 CHAIN = HERE / "chain.prm"
+
+# No base: the change is all of the file, of this kind.
+PRM, JSON = ".prm", ".json"
 
 FORMULA = "Muscles/biceps/expression/Formula"
 PRESSURE = "Boundary conditions/push/follower pressure/Pressure"
@@ -46,6 +48,25 @@ end
 """
 
 
+def tube(text):
+    """Another body, with one change."""
+    return f"""
+subsection Geometry
+  set Shape = open cylinder
+  subsection open cylinder
+    set {text}
+  end
+end
+subsection Tissues
+  subsection liquid
+    subsection Neo-Hooke
+      set a = 0.001
+    end
+  end
+end
+"""
+
+
 def another_muscle(text):
     """A second muscle of the block."""
     return f"""
@@ -69,7 +90,7 @@ MISTAKES = [
     ("levels of a tissue that is not there", CHAIN,
      ["Adaptivity/Levels of tissues=skin: 1 - 2"],
      ["'Adaptivity/Levels of tissues'", "'skin'", "does not have",
-      "'wall'", "'septum'", "'cap'", "'liquid'"]),
+      "Name one that it has", "'wall'", "'septum'", "'cap'", "'liquid'"]),
     ("levels that are none", CHAIN,
      ["Adaptivity/Levels of tissues=wall: 3 - 1"],
      ["'Adaptivity/Levels of tissues'", "'3 - 1'", "'wall'", "like '1 - 3'"]),
@@ -77,7 +98,10 @@ MISTAKES = [
      ["'Adaptivity/Levels of tissues'", "'3'", "two numbers"]),
     ("levels the wrong way round", CHAIN,
      ["Adaptivity/Coarsest level=2", "Adaptivity/Finest level=1"],
-     ["'Adaptivity/Finest level'", "'Coarsest level'", "is 1"]),
+     ["'Adaptivity/Finest level' is 1", "'Coarsest level', 2",
+      "Raise it, or lower that"]),
+    ("levels without a name", CHAIN, ["Adaptivity/Levels of tissues=1 - 2"],
+     ["'Adaptivity/Levels of tissues' is '1 - 2'", "'name: value'"]),
     ("rule that was not chosen", CHAIN,
      ["Adaptivity/number of unknowns/Target=100"],
      ["'Adaptivity/number of unknowns' is not used",
@@ -94,6 +118,26 @@ MISTAKES = [
       "Geometry/block/side/To=2, 1", "Geometry/block/Symmetry=y"],
      ["'Geometry/block/side/Face'", "'y min'", "plane of symmetry",
       "'Geometry/block/Symmetry'"]),
+    ("patch with the name of a face", BLOCK, ["Geometry/block/Patches=x min"],
+     ["'Geometry/block/Patches'", "'x min' is the name of a face",
+      "Choose another"]),
+    ("patch beyond the block", BLOCK,
+     ["Geometry/block/Patches=half", "Geometry/block/half/To=1, 3"],
+     ["'Geometry/block/half/To'", "z = 3", "outside of the block",
+      "ends at 1", "Give a smaller number"]),
+    ("patch without a width", BLOCK,
+     ["Geometry/block/Patches=half", "Geometry/block/half/From=1, 0",
+      "Geometry/block/half/To=1, 1"],
+     ["'Geometry/block/half/To'", "along y", "no width",
+      "larger number than in 'From'"]),
+    ("patches that overlap", BLOCK,
+     ["Geometry/block/Patches=a, b", "Geometry/block/a/To=1, 1",
+      "Geometry/block/b/To=1, 1"],
+     ["'Geometry/block/Patches'", "'a' and 'b' overlap on 'x max'",
+      "Make them disjoint"]),
+    ("patch twice", BLOCK,
+     ["Geometry/block/Patches=a, a", "Geometry/block/a/To=1, 1"],
+     ["'Geometry/block/Patches' has 'a' twice", "Leave one of them out"]),
     # Names.
     ("misspelt parameter", BLOCK, ["Time/Ende=1"],
      ["'Time/Ende' is unknown", "Did you mean 'Time/End'?"]),
@@ -131,6 +175,38 @@ MISTAKES = [
     ("load that is not listed", BLOCK, ["Boundary conditions/Names=push"],
      ["'Boundary conditions/wall'", "'push'", "lists its name"]),
 
+    ("parameter without its section", BLOCK, ["Duty=1"],
+     ["'Duty' is unknown", "known there", "'Title', 'Units'"]),
+    ("parameter of another section", BLOCK, ["Smallest step=0.1"],
+     ["'Smallest step' is unknown", "Did you mean 'Time/Smallest step'?"]),
+    ("section as a parameter", BLOCK, ["Time=1"],
+     ["'Time' is unknown: that is a section", "Set a parameter in it"]),
+    ("parameter as a section", BLOCK, ["Time/End/Hour=1"],
+     ["section 'Time/End' is unknown: that is a parameter",
+      "Set it to a value"]),
+    ("segment without a rule", CHAIN, ["Geometry/segment chain/Segment 3/"
+                                       "Radius=1"],
+     ["'Geometry/segment chain/Segment 3' is unknown or not used",
+      "another parameter chooses it or lists its name"]),
+    # These ended with exit code 3 and deal.II's 'No such node'.
+    ("tissue without a name", BLOCK, ["Geometry/block/Tissue name="],
+     ["'Geometry/block/Tissue name' is ''", "a name, without '/'"]),
+    ("layer without a name", CHAIN,
+     ["Geometry/segment chain/Wall layers=wall,, skin"],
+     ["'Geometry/segment chain/Wall layers' is 'wall,, skin'",
+      "1 to 64 entries, each a name"]),
+    ("load without a name", BLOCK, ["Boundary conditions/Names=wall,, push"],
+     ["'Boundary conditions/Names' is 'wall,, push'", "each a name"]),
+    ("muscle with a slash in its name", BLOCK,
+     ["Tissues/flesh/Muscles=bi/ceps"],
+     ["'Tissues/flesh/Muscles' is 'bi/ceps'", "without '/'"]),
+    ("load twice", BLOCK, ["Boundary conditions/Names=wall, push, push"],
+     ["'Boundary conditions/Names' has 'push' twice",
+      "Leave one of them out"]),
+    # It contracted twice as much.
+    ("muscle twice", BLOCK, ["Tissues/flesh/Muscles=biceps, biceps"],
+     ["'Tissues/flesh/Muscles' has 'biceps' twice", "Leave one of them out"]),
+
     # Types and ranges.
     ("word for a number", BLOCK, ["Tissues/flesh/Neo-Hooke/a=stiff"],
      ["'Tissues/flesh/Neo-Hooke/a' is 'stiff'", "a number > 0"]),
@@ -141,6 +217,48 @@ MISTAKES = [
      "      set a = \\\n -1\n    end\n  end\nend\n",
      ["case.prm, line 5", "'Tissues/flesh/Neo-Hooke/a' is '-1'",
       "a number > 0"]),
+    # It ended with exit code 3 and 'stod'.
+    ("number that is next to zero", BLOCK, ["Time/End=1e-320"],
+     ["'Time/End' is '1e-320'", "a number > 0, from 1e-100 to 1e100"]),
+    # Its cube is infinite, and the solve failed with exit code 2.
+    ("number that is next to infinite", BLOCK,
+     ["Tissues/flesh/Neo-Hooke/a=1e200"],
+     ["'Tissues/flesh/Neo-Hooke/a' is '1e200'", "from 1e-100 to 1e100"]),
+    ("NaN", BLOCK, ["Tissues/flesh/Neo-Hooke/nu=nan"],
+     ["'Tissues/flesh/Neo-Hooke/nu' is 'nan'", "a number from 0 to 0.5"]),
+    ("more than an int holds", BLOCK, ["Newton/Most iterations=9999999999"],
+     ["'Newton/Most iterations' is '9999999999'",
+      "a whole number, at least 1"]),
+    ("no value", BLOCK, ["Tissues/flesh/Law="],
+     ["'Tissues/flesh/Law' is ''", "one of 'Hooke', 'Mooney-Rivlin'"]),
+    ("unit", BLOCK, ["Time/End=1 s"],
+     ["'Time/End' is '1 s'", "a number > 0"]),
+    ("decimal comma", BLOCK, ["Time/End=1,5"],
+     ["'Time/End' is '1,5'", "a number > 0"]),
+    ("axis there is not", BLOCK, ["Geometry/block/Symmetry=x, w"],
+     ["'Geometry/block/Symmetry' is 'x, w'", "a list out of 'x', 'y', 'z'"]),
+    ("refinements that are too many", CHAIN, ["Mesh/Global refinements=9"],
+     ["'Mesh/Global refinements' is '9'", "a whole number from 0 to 8"]),
+    # It went on until the machine had no memory left.
+    ("refinements for which no memory is", CHAIN,
+     ["Mesh/Global refinements=8"],
+     ["'Mesh/Global refinements' is 8", "6.71e+08 cells", "GB available",
+      "Refine less often"]),
+    ("cells of a block that are too many", BLOCK,
+     ["Geometry/block/Cells=1000000, 1000000, 1000000"],
+     ["'Geometry/block'", "1e+18 cells", "at most 1e+07",
+      "'Mesh/Global refinements'"]),
+    ("cells of a chain that are too many", CHAIN,
+     ["Geometry/segment chain/Cells around a quarter=1000000"],
+     ["'Geometry/segment chain'", "cells", "at most 1e+07",
+      "'Mesh/Global refinements'"]),
+    ("cells of a tube that are too many", PRM,
+     tube("Cells along the cylinder = 1000000000"),
+     ["'Geometry/open cylinder'", "at most 1e+07",
+      "'Mesh/Global refinements'"]),
+    ("odd number of cells along a tube", PRM,
+     tube("Cells along the cylinder = 3"),
+     ["'Geometry/open cylinder/Cells along the cylinder' is 3", "even"]),
     ("Poisson's ratio above 0.5", BLOCK, ["Tissues/flesh/Neo-Hooke/nu=0.6"],
      ["'Tissues/flesh/Neo-Hooke/nu' is '0.6'", "a number from 0 to 0.5"]),
     ("negative radius", CHAIN, ["Geometry/segment chain/Radius=-2"],
@@ -175,9 +293,34 @@ MISTAKES = [
       "Change them so that"]),
     ("first step above the largest", BLOCK, ["Time/First step=2"],
      ["'Time/First step'", "'Time/Largest step'", "Change them so that"]),
+    # Steps as small did not end.
+    ("results more often than steps", BLOCK,
+     ["Time/Result interval=0.00001"],
+     ["'Time/Result interval' is 1e-05,", "'Time/Smallest step', 0.0001",
+      "Raise it, or set it to 0"]),
     ("odd number of cells", CHAIN,
      ["Geometry/segment chain/Cells along a segment=3"],
      ["'Geometry/segment chain/Cells along a segment' is 3", "even"]),
+    ("odd number of cells around", CHAIN,
+     ["Geometry/segment chain/Cells around a quarter=3"],
+     ["'Geometry/segment chain/Cells around a quarter' is 3", "even"]),
+    ("formula of the mesh that does not parse", BLOCK,
+     ["Mesh/Refine where=x >"],
+     ["'Mesh/Refine where'", "'x >'", "Unexpected end", "It may use"]),
+    ("formula of the mesh without a value", BLOCK,
+     ["Mesh/Refine where=1/(x - 1)", "Mesh/Local refinements=1"],
+     ["'Mesh/Refine where'", "'1/(x - 1)' has no value",
+      "point (1, 0.5, 0.5)", "defined in all of the body"]),
+    # --check took it for right, and the run found it after its log had begun.
+    ("point outside of the body", BLOCK, ["Output/Points=0, 0, 0; 1, 3, 0"],
+     ["'Output/Points'", "(1, 3, 0) is not in the body",
+      "Give a point of the mesh at rest"]),
+    ("point of two numbers", BLOCK, ["Output/Points=0, 0, 0; 1, 2"],
+     ["'Output/Points'", "'1, 2' is not a point", "three numbers",
+      "'0, 0, 2; 1, 0, 2'"]),
+    # This was a point of the body.
+    ("point that is NaN", BLOCK, ["Output/Points=nan, 0, 0"],
+     ["'Output/Points'", "'nan, 0, 0' is not a point", "three numbers"]),
 
     # The body.
     ("two rules for one segment", CHAIN,
@@ -192,6 +335,16 @@ MISTAKES = [
      ["Geometry/segment chain/Segments with their own measures=first"],
      ["'Geometry/segment chain/Segments with their own measures'", "'first'",
       "Write a list like '1, 8-10'"]),
+    ("segment beyond the chain", CHAIN,
+     ["Geometry/segment chain/Segments with their own measures=3",
+      "Geometry/segment chain/Segment 3/Radius=1"],
+     ["'Geometry/segment chain/Segments with their own measures'",
+      "'Segment 3' is not within the chain", "from 1 (head) to 2 (tail)"]),
+    ("thicknesses of a segment that are too many", CHAIN,
+     ["Geometry/segment chain/Segments with their own measures=1",
+      "Geometry/segment chain/Segment 1/Wall layer thicknesses=1, 2"],
+     ["'Geometry/segment chain/Segment 1/Wall layer thicknesses' has 2",
+      "'Geometry/segment chain/Wall layers' has 1", "one thickness"]),
     ("more layers than thicknesses", CHAIN,
      ["Geometry/segment chain/Wall layers=wall, skin"],
      ["'Geometry/segment chain/Wall layer thicknesses' has 1 entries",
@@ -209,11 +362,11 @@ MISTAKES = [
     ("muscle without fibres", BLOCK,
      another_muscle("set Active stretch = wave"),
      ["'Muscles/triceps/Fibres' is not set", "no fibres",
-      "Set it to one of", "circumferential"]),
+      "Set it to one of 'circumferential'", "'vector expression'."]),
     ("muscle without active stretch", BLOCK,
      another_muscle("set Fibres = radial"),
-     ["'Muscles/triceps/Active stretch' is not set", "Set it to one of",
-      "wave"]),
+     ["'Muscles/triceps/Active stretch' is not set", "no active stretch",
+      "Set it to one of 'expression', 'wave'."]),
     ("muscle that is listed, but has no section", BLOCK,
      ["Tissues/flesh/Muscles=biceps, triceps"],
      ["'Muscles/triceps/Fibres' is not set", "Set it to one of"]),
@@ -232,6 +385,19 @@ MISTAKES = [
      [f"'{FORMULA}'", "Unexpected end of expression", "It may use"]),
     ("active stretch that is empty", BLOCK, [FORMULA + "="],
      [f"'{FORMULA}'", "it is empty", "It may use"]),
+    # muParser evaluates these: to 9, to 1.
+    ("active stretch with a decimal comma", BLOCK, [FORMULA + "=0,9"],
+     [f"'{FORMULA}'", "'0,9'", "a comma outside of a function",
+      "Decimals have a point"]),
+    ("active stretch that assigns", BLOCK, [FORMULA + "=if(t = 1, 0.9, 1)"],
+     [f"'{FORMULA}'", "'=', which is no comparison", "'=='"]),
+    ("active stretch that is two", BLOCK, [FORMULA + "=1; 0.9"],
+     [f"'{FORMULA}'", "'1; 0.9'", "is not equal to the number"]),
+    ("active stretch without a parenthesis", BLOCK, [FORMULA + "=sin(t"],
+     [f"'{FORMULA}'", "'sin(t'", "Missing parenthesis", "It may use"]),
+    ("active stretch of a function there is not", BLOCK,
+     [FORMULA + "=step(t)"],
+     [f"'{FORMULA}'", '"step"', "the functions of muParser"]),
     ("wave that shortens to nothing", BLOCK,
      another_muscle("set Fibres = radial\nset Active stretch = wave\n"
                     "subsection wave\nset Amplitude = 1\nend"),
@@ -266,7 +432,7 @@ MISTAKES = [
      ["'Boundary conditions/push/Boundary' is ''", "Give one of 'x min'"]),
     ("no type", BLOCK, ["Boundary conditions/Names=wall, push, more"],
      ["'Boundary conditions/more/Type' is not set", "Set it to one of",
-      "follower pressure"]),
+      "'displacement', 'follower pressure'"]),
     ("pressure that does not parse", BLOCK, [PRESSURE + "=0.1*sin("],
      [f"'{PRESSURE}'", "'0.1*sin('", "It may use t, x, y, z, pi"]),
     ("traction that does not parse", BLOCK,
@@ -302,87 +468,135 @@ MISTAKES = [
      ["translation along y, translation along z, rotation about x",
       "Set 'Boundary conditions/Minimal support' to true"]),
 
+    ("liquid that can spin", CHAIN,
+     ["Interface/Coupling=slip", "Boundary conditions/Minimal support=false",
+      "Geometry/segment chain/Cross-section=full"],
+     ["can still move rigidly", "Set 'Boundary conditions/Minimal support' to "
+      "true", "'displacement' or 'spring' that holds it"]),
+
     # The file.
+    ("empty file", PRM, "# Nothing yet.\n",
+     ["case.prm' sets nothing", "Copy one of the gallery in parameters/"]),
+    ("file that is no text", PRM, b"\x7fELF\x02\x01\x01\x00\x00set A = 1",
+     ["case.prm' is not plain text", "UTF-8"]),
+    ("file in UTF-16", PRM, "set Title = x\n".encode("utf-16"),
+     ["case.prm' is not plain text", "UTF-8"]),
     ("subsection without end", BLOCK, "subsection Time\n  set End = 2\n",
-     ["case.prm: ", "unequal numbers of 'subsection' and 'end'", "for each of "
+     ["case.prm, line 2: 'subsection Time' has no 'end'", "for each of "
       "these, 'end'"]),
+    ("inner subsection without end", BLOCK,
+     "subsection Linear solver\n  subsection direct\nend\n",
+     ["case.prm, line 2: 'subsection Linear solver' has no 'end'"]),
     ("end without subsection", BLOCK, "set Title = x\nend\n",
-     ["case.prm, line 3: ", "no subsection to leave"]),
+     ["case.prm, line 3: 'end' without a 'subsection'"]),
     ("line that is neither", BLOCK, "set Title = x\nTitle = y\n",
-     ["case.prm, line 3: ", "<Title = y>", "'set Name = value'"]),
+     ["case.prm, line 3: 'Title = y' is none", "'set Name = value'"]),
+    ("long line that is neither", BLOCK, "Title = " + 1000 * "y",
+     ["case.prm, line 2: 'Title = yyy", "y...' is none"]),
     ("no equals sign", BLOCK, "set Title\n",
-     ["case.prm, line 2: ", "'set Name = value'"]),
+     ["case.prm, line 2: 'set Title' has no '='", "'set Name = value'"]),
+    ("no name", BLOCK, "set = 1\n",
+     ["case.prm, line 2: 'set = 1' has no name", "'set Name = value'"]),
+    # deal.II's message: 'No entry with name <Time/End> was declared'.
+    ("path of a parameter in a file", BLOCK, "set Time/End = 2\n",
+     ["case.prm, line 2: 'set Time/End = 2' has a '/' in its name",
+      "each part before a '/' is a 'subsection'"]),
+    ("path of a section in a file", BLOCK, "subsection Time/x\nend\n",
+     ["case.prm, line 2: 'subsection Time/x' has a '/'"]),
+    ("include in quotation marks", PRM, 'include "base.prm"\n',
+     ['"base.prm"', "cannot be read",
+      "from the folder of the file that includes it"]),
+    ("include of nothing", BLOCK, "include\n",
+     ["case.prm, line 2: 'include' is none of the lines"]),
+
+    # JSON.
+    ("comma after the last entry of JSON", JSON, '{"Time": {"End": 1,}}',
+     ["case.json, line 1: this is no JSON", "not after the last"]),
+    ("comment in JSON", JSON, '{"Title": "x"} // y',
+     ["case.json, line 1: this is no JSON", "there are no comments"]),
+    ("empty JSON", JSON, "", ["case.json, line 1: this is no JSON"]),
+    ("JSON that says nothing", JSON, "{}", ["case.json' sets nothing"]),
+    ("list for an object of JSON", JSON, "[1, 2]",
+     ["case.json: the file has to be one object", '{ "Section": {']),
+    ("wrong type in JSON", JSON, '{"Time": {"End": true}}',
+     ["case.json: the parameter 'Time/End' is 'true'", "a number > 0"]),
+    ("nothing in JSON", JSON, '{"Time": {"End": null}}',
+     ["case.json: the parameter 'Time/End' is 'null'", "a number > 0"]),
+    ("list for a number of JSON", JSON, '{"Time": {"End": [1, 2]}}',
+     ["case.json: the parameter 'Time/End' is '1, 2'", "a number > 0"]),
+    ("list of lists in JSON", JSON, '{"Output": {"Points": [[0, 0, 0]]}}',
+     ["case.json: the list 'Points' has a list", "Write lists of lists as "
+      "text"]),
+    ("number for a section of JSON", JSON, '{"Time": 3}',
+     ["case.json: the parameter 'Time' is unknown: that is a section"]),
+    ("section for a parameter of JSON", JSON, '{"Time": {"End": {"a": 1}}}',
+     ["case.json: the section 'Time/End' is unknown: that is a parameter"]),
+    # The last one won, as no other reader of JSON promises.
+    ("name twice in JSON", JSON, '{"Time": {"End": 1, "End": 2}}',
+     ["case.json: the name 'End' is there twice", "Leave one of them out"]),
+    ("path for a name of JSON", JSON, '{"Time/End": 2}',
+     ["case.json: 'Time/End' is no name", '{ "Section": { "Name": value } }']),
+    # What followed the # was lost.
+    ("comment in a text of JSON", JSON, '{"Title": "Case #1"}',
+     ["case.json: 'Case #1' has a '#', which starts a comment",
+      "Leave it out"]),
+    ("line break in a text of JSON", JSON, '{"Title": "a\\nset Time = x"}',
+     ["case.json: ", "has a line break", "Leave it out"]),
+    ("backslash in a list of JSON", JSON, '{"Title": ["a", "b\\\\"]}',
+     ["case.json: 'b\\' has a '\\' at its end", "Leave it out"]),
+
+    # The command line.
     ("setting without a value", BLOCK, ["Time/End"],
      ["'Time/End'", '--set "Section/Name=value"']),
     ("setting without a name", BLOCK, ["=1"],
      ["'=1'", '--set "Section/Name=value"']),
-    ("setting of a section", BLOCK, ["Time=1"],
-     ["'Time' is unknown"]),
+    ("setting without a section", BLOCK, ["/End=1"],
+     ["'/End=1' is not of the form", '--set "Section/Name=value"']),
+    ("setting without a name in its section", BLOCK, ["Time/=1"],
+     ["'Time/=1' is not of the form", '--set "Section/Name=value"']),
+    # It was that of 'Time/End'.
+    ("setting with a comment", BLOCK, ["Time#/End=1"],
+     ["'Time#/End=1' has a '#', which starts a comment", "Leave it out"]),
+    # It ended the section of the setting, not only its line.
+    ("setting with a backslash at its end", BLOCK, ["Title=x\\"],
+     ["has a '\\' at its end, with which a line goes on", "Leave it out"]),
+    ("setting of two lines", BLOCK, ["Title=x\nset Units = y"],
+     ["has a line break in parameter files", "Leave it out"]),
 ]
 
 
-def start(job):
+def start(mistake, ranks, folder, run):
     """Run with a mistake on some ranks, in a folder of its own."""
-    mistake, ranks, folder = job
     _, base, change, _ = mistake
     settings = change if isinstance(change, list) else []
     folder.mkdir()
-    case = folder / "case.prm"
-    case.write_text(f"include {base}\n" +
-                    (change if isinstance(change, str) else ""))
+    if base in (PRM, JSON):
+        case = folder / f"case{base}"
+        case.write_bytes(change if isinstance(change, bytes) else
+                         change.encode())
+    else:
+        case = folder / "case.prm"
+        case.write_text(f"include {base}\n" +
+                        (change if isinstance(change, str) else ""))
     return run(case, folder / "out", settings, ranks)
 
 
-ON_TWO_RANKS = ["misspelt parameter", "active stretch that does not parse",
-                "active stretch of zero", "fibres that vanish somewhere",
-                "body that can move"]
-CASES = [(mistake, 1) for mistake in MISTAKES] + \
-    [(mistake, 2) for mistake in MISTAKES if mistake[0] in ON_TWO_RANKS]
+CASES = on_ranks(MISTAKES, on_two=[
+    "misspelt parameter", "active stretch that does not parse",
+    "active stretch of zero", "fibres that vanish somewhere",
+    "body that can move", "point outside of the body", "empty file"])
 
 
 @pytest.fixture(scope="module")
 def results(tmp_path_factory):
-    """All runs, two at a time: most of a run is the start of the program."""
-    base = tmp_path_factory.mktemp("mistakes")
-    jobs = [(mistake, ranks, base / str(i))
-            for i, (mistake, ranks) in enumerate(CASES)]
-    with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        return list(pool.map(start, jobs))
+    return run_all(start, CASES, tmp_path_factory.mktemp("mistakes"))
 
 
-@pytest.mark.parametrize("i", range(len(CASES)), ids=[
-    f"{mistake[0]}, {ranks} rank" for mistake, ranks in CASES])
+@pytest.mark.parametrize("i", range(len(CASES)), ids=names(CASES))
 def test_one_message_names_the_parameter_and_the_way_out(i, results):
-    (_, _, _, words), ranks = CASES[i]
-    result = results[i]
-    everything = result.log + result.message
-    assert result.exit_code == 1, everything
-    for frame in ("An error occurred", "Stacktrace", "exception", "Exception",
-                  "TimerOutput", "violated", "bug"):
-        assert frame not in everything, everything
-    assert result.log == ""
-    # Nothing was computed, and no earlier results were touched.
-    assert not [path for path in result.folder.glob("**/*") if path.is_file()]
-
-    # mpirun adds its own lines on processes that fail.
-    message = " ".join(result.message.split("\n---")[0].split())
-    assert message.startswith("lumbricus: ")
-    for part in words:
-        assert part in message
-    assert everything.count("lumbricus: ") == 1, everything
-
-
-@pytest.mark.parametrize("folder, ranks", [("file/below", 1),
-                                           ("file/below", 2),
-                                           ("/proc/lumbricus", 1)])
-def test_output_folder_that_cannot_be_written(folder, ranks, tmp_path):
-    (tmp_path / "file").write_text("")
-    result = run(BLOCK, tmp_path / folder, ranks=ranks)
-    assert result.exit_code == 1
-    assert result.message.count("cannot be written") == 1
-    assert str(tmp_path / folder) in result.message
-    assert "'Output/Folder' or --output" in result.message
-    assert result.log == ""
+    (_, _, _, words), _ = CASES[i]
+    check_one_message(results[i], words)
+    assert results[i].log == ""
 
 
 def test_expressions_are_tried_where_they_are_used(tmp_path):

@@ -4,6 +4,7 @@ import os
 import shutil
 import signal
 import subprocess
+import zlib
 
 import pytest
 from faults import (CASE, checkpoints, differences, fresh, kill_all, ranks_of,
@@ -121,13 +122,70 @@ def test_a_damaged_checkpoint_is_left_out(tmp_path, reference, three_steps,
     damage(folder / "checkpoints" / "000003" / name, how)
     run = restart(folder, 2, ["Time/End=0.4"])
     assert run.exit_code == 0, run.message
-    assert "000003' is damaged" in run.log
+    assert "000003' cannot be used" in run.log
     assert "after step 2" in run.log
     rows = run.segments()
     whole = reference[2].segments()[:len(rows)]
     assert rows[-1]["t"] == pytest.approx(0.4)
     for row, other in zip(rows, whole):
         assert row["length"] == pytest.approx(other["length"], rel=SAME)
+
+
+def rewrite(folder, name, change):
+    """Change the content of a file of all checkpoints, which stay whole."""
+    for manifest in folder.glob("checkpoints/*/MANIFEST"):
+        lines = manifest.read_text().splitlines()[:-1]
+        if name == "MANIFEST":
+            lines = [change(line) for line in lines]
+        for i, line in enumerate(lines):
+            if line.endswith(f" {name}"):
+                path = manifest.parent / name
+                content = change(path.read_bytes())
+                path.write_bytes(content)
+                lines[i] = f"file {zlib.crc32(content)} {len(content)} {name}"
+        text = "\n".join(lines) + "\n"
+        manifest.write_text(f"{text}checksum {zlib.crc32(text.encode())}\n")
+
+
+def of_another_version(line):
+    return "version 99.9" if line.startswith("version") else line
+
+
+def test_a_checkpoint_of_another_version(tmp_path, three_steps):
+    """It is said, and the run goes on."""
+    folder = shutil.copytree(three_steps, tmp_path / "run")
+    rewrite(folder, "MANIFEST", of_another_version)
+    run = restart(folder, 2, ["Time/End=0.4"])
+    assert run.exit_code == 0, run.message
+    assert "written by version 99.9" in run.log
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_checkpoint_with_what_is_not_known_yet(ranks, tmp_path, three_steps):
+    """It ended with exit code 3 and a stack trace."""
+    folder = shutil.copytree(three_steps, tmp_path / "run")
+    rewrite(folder, "MANIFEST", of_another_version)
+    rewrite(folder, "progress", lambda text: text + b"temperature 300\n")
+    run = restart(folder, ranks, ["Time/End=0.4"])
+    assert run.exit_code == 1, run.message
+    message = " ".join(run.message.split())
+    assert "000003' cannot be used: it is of version 99.9 and has " \
+        "'temperature'" in message
+    assert "Go on with that version" in message
+    assert "Stacktrace" not in message
+
+
+def test_a_checkpoint_of_another_mesh(tmp_path, three_steps):
+    """Its parameters cannot be changed by hand."""
+    folder = shutil.copytree(three_steps, tmp_path / "run")
+    rewrite(folder, "parameters.prm", lambda text: text.replace(
+        b"set Number of segments ", b"set Cap thickness = 0.3 # "))
+    run = restart(folder, 2, ["Time/End=0.4"])
+    assert run.exit_code == 1, run.message
+    message = " ".join(run.message.split())
+    assert "000003' is of " in message and "but the mesh of its parameters " \
+        "has " in message
+    assert "start the run from its parameter file" in message
 
 
 def test_nothing_to_go_on_from(tmp_path):
@@ -141,7 +199,9 @@ def test_a_table_that_is_gone(tmp_path):
     (tmp_path / "segments.csv").unlink()
     run = restart(tmp_path, 1, ["Time/End=0.2"])
     assert run.exit_code == 1
-    assert "segments.csv" in run.message
+    message = " ".join(run.message.split())
+    assert f"'{tmp_path}/segments.csv' is shorter than it was at the " \
+        "checkpoint (No such file or directory). Bring it back" in message
 
 
 @pytest.fixture

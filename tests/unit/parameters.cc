@@ -176,6 +176,47 @@ TEST(PrmScanner, NearestIsWhatWasMeant)
 
 
 
+TEST(PrmScanner, FindsTheFirstMistake)
+{
+  EXPECT_EQ(first_mistake("").line, 0u);
+  EXPECT_EQ(first_mistake("# a comment\n\n  set A = b = c # d\n"
+                          "SUBSECTION B\n\tset\tC = 1, \\\n  2\nEND\n"
+                          "set D =\n")
+              .line,
+            0u);
+
+  const std::vector<std::array<std::string, 3>> cases = {
+    {{"set A = 1\nB = 2\n", "2", "'B = 2' is none"}},
+    {{"set A\n", "1", "'set A' has no '='"}},
+    {{"set\n", "1", "'set' is none"}},
+    {{"set = 1\n", "1", "'set = 1' has no name"}},
+    {{"set A/B = 1\n", "1", "has a '/' in its name"}},
+    {{"set A = 1/B\nset\n", "2", "'set' is none"}},
+    {{"subsection A/B\nend\n", "1", "has a '/' in its name"}},
+    {{"set A = \\\n 1\nend\n", "3", "'end' without a 'subsection'"}},
+    {{"subsection A\nend now\n", "2", "'end now' is none"}},
+    {{"subsection A\n  subsection B\n  end\n", "1", "'subsection A' has no"}},
+    {{"subsection A\n  subsection B\n", "2", "'subsection B' has no"}}};
+  for (const auto &[text, line, what] : cases)
+    {
+      const PrmMistake mistake = first_mistake(text);
+      EXPECT_EQ(std::to_string(mistake.line), line) << text;
+      EXPECT_TRUE(contains(mistake.what, what)) << mistake.what;
+    }
+}
+
+
+
+TEST(PrmScanner, SaysWhatNoLineCanHold)
+{
+  EXPECT_EQ(unfit_for_a_line("a = b, \\c"), "");
+  EXPECT_TRUE(contains(unfit_for_a_line("case #1"), "comment"));
+  EXPECT_TRUE(contains(unfit_for_a_line("a\nb"), "line break"));
+  EXPECT_TRUE(contains(unfit_for_a_line("a\\"), "goes on"));
+}
+
+
+
 TEST(PatternWords, SayWhatIsAllowed)
 {
   namespace Patterns = dealii::Patterns;
@@ -196,7 +237,13 @@ TEST(PatternWords, SayWhatIsAllowed)
   EXPECT_EQ(words(Patterns::List(PositiveNumber(), 3, 3)),
             "a list of 3 entries, each a number > 0");
   EXPECT_EQ(words(Patterns::List(Patterns::Integer(1), 1, 4)),
-            "a list of entries, each a whole number, at least 1");
+            "a list of 1 to 4 entries, each a whole number, at least 1");
+  EXPECT_EQ(words(Patterns::List(Name())),
+            "a list of entries, each a name, without '/'");
+  EXPECT_EQ(words(Patterns::List(Name(), 2)),
+            "a list of at least 2 entries, each a name, without '/'");
+  EXPECT_EQ(words(Patterns::Map(Name(), Name())),
+            "a list of entries 'name: value'");
   EXPECT_EQ(words(Patterns::Anything()), "[Anything]");
 }
 
@@ -308,7 +355,10 @@ TEST(JsonParameters, WhatIsWrongIsSaidWithTheFile)
     {{"{\"Title\": 1,\n oops}", "case.json, line 2: this is no JSON"}},
     {{"[1, 2]", "has to be one object"}},
     {{"3", "has to be one object"}},
-    {{"{\"Points\": [[0, 0, 0]]}", "the list 'Points'"}}};
+    {{"{\"Points\": [[0, 0, 0]]}", "the list 'Points'"}},
+    {{"{\"A\": 1, \"A\": 2}", "the name 'A' is there twice"}},
+    {{"{\"A/B\": 1}", "'A/B' is no name"}},
+    {{"{\"A\": \"#1\"}", "'#1' has a '#'"}}};
   for (const auto &[text, words] : cases)
     {
       std::istringstream in(text);

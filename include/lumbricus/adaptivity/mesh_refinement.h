@@ -35,6 +35,10 @@ namespace lumbricus
     n_global_refinements() const;
 
   private:
+    /** Throw ExcInput where no memory would be left for a mesh so fine. */
+    void
+    check_memory(const ParallelMesh &triangulation) const;
+
     void
     mark(ParallelMesh &triangulation) const;
 

@@ -30,10 +30,10 @@ namespace lumbricus
     void
     write(std::ostream &out) const;
 
-    /** Read what write() wrote. Throws dealii::ExcMessage for an item that is
-     * not known. */
+    /** Read what write() wrote. @p unknown is set to the first item that no
+     * RunProgress has. */
     static RunProgress
-    read(std::istream &in);
+    read(std::istream &in, std::string &unknown);
   };
 } // namespace lumbricus
 

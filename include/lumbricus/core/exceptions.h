@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <string>
+#include <vector>
 
 namespace lumbricus
 {
@@ -45,6 +46,11 @@ namespace lumbricus
     std::string path;
     std::string what_is_wrong;
   };
+
+  /** Throw ExcParameter where the list @p parameter has a name twice. */
+  void
+  check_no_name_twice(const std::string              &parameter,
+                      const std::vector<std::string> &names);
 
   /** Run @p check; an ExcParameter it throws is about this section. */
   template <typename Check>

@@ -6,7 +6,9 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -32,12 +34,15 @@ namespace lumbricus
       , shows_progress(on_terminal && (with_progress || is_watched()))
     {}
 
-    /** From now on write to this file too, at its end where @p append. */
-    void
+    /** From now on write to this file too, at its end where @p append.
+     * @return why that is not possible; empty if it is, and on other ranks. */
+    std::string
     open(const std::string &file_name, const bool append)
     {
-      if (active)
-        file.open(file_name, append ? std::ios::app : std::ios::out);
+      if (!active)
+        return "";
+      file.open(file_name, append ? std::ios::app : std::ios::out);
+      return file.is_open() ? "" : std::strerror(errno);
     }
 
     /** Write @p item at once. Does nothing on ranks other than 0. */

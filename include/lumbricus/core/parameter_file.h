@@ -67,21 +67,36 @@ namespace lumbricus
        * with the full name of the parameter and in words. */
       std::string
       wrong_value(const std::string &message) const;
-
-      /** deal.II's message on a line it cannot read, with its place first. */
-      std::string
-      syntax_error(const std::string &message) const;
     };
+
+    /** The paths of what is declared. */
+    struct Names
+    {
+      std::set<std::string> entries;
+      std::set<std::string> sections;
+    };
+
+    /** Throw ExcInput for a line that cannot be read, or where nothing is set
+     * at all. */
+    void
+    check_syntax() const;
+
+    Names
+    known_names() const;
 
     void
     check_names() const;
 
-    /** The message on a line whose path is not among those @p known. */
+    /** The same for parameters in sections that are declared, all of whose
+     * parameters are, while others are not yet. */
+    void
+    check_names_in_known_sections() const;
+
+    /** The message on a line whose path is not known. */
     std::string
-    unknown_name(const Source                &source,
-                 const PrmLine               &line,
-                 const std::set<std::string> &known,
-                 const std::set<std::string> &known_entries) const;
+    unknown_name(const Source  &source,
+                 const PrmLine &line,
+                 const Names   &known) const;
 
     /**
      * The parameter beside @p section that could choose it but does not, as
@@ -90,6 +105,10 @@ namespace lumbricus
     std::string
     other_choice(const std::string           &section,
                  const std::set<std::string> &known_entries) const;
+
+    /** Whether @p root declared more. */
+    bool
+    extend(ParameterOwner &root);
 
     void
     parse_source(const Source &source, const bool skip_undefined);

@@ -4,13 +4,16 @@
 
 #include <deal.II/base/patterns.h>
 
-#include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <string>
 
 namespace lumbricus
 {
-  /** A finite number greater than zero: lengths, stiffnesses, time steps. */
+  /**
+   * A number greater than zero: lengths, stiffnesses, time steps. It and its
+   * cube have to be far from what a computer can hold.
+   */
   class PositiveNumber : public dealii::Patterns::PatternBase
   {
   public:
@@ -20,8 +23,8 @@ namespace lumbricus
     {
       if (!dealii::Patterns::Double().match(text))
         return false;
-      const double value = std::stod(text);
-      return std::isfinite(value) && value > 0;
+      const double value = std::strtod(text.c_str(), nullptr);
+      return value >= 1e-100 && value <= 1e100;
     }
 
     /** What messages and the parameter reference say. */
@@ -36,6 +39,31 @@ namespace lumbricus
     clone() const override
     {
       return std::make_unique<PositiveNumber>();
+    }
+  };
+
+
+
+  /** A name of the user's own, which is that of a section too. */
+  class Name : public dealii::Patterns::PatternBase
+  {
+  public:
+    bool
+    match(const std::string &text) const override
+    {
+      return !text.empty() && text.find('/') == std::string::npos;
+    }
+
+    std::string
+    description(const OutputStyle /*style*/ = Machine) const override
+    {
+      return "[Name]";
+    }
+
+    std::unique_ptr<PatternBase>
+    clone() const override
+    {
+      return std::make_unique<Name>();
     }
   };
 } // namespace lumbricus

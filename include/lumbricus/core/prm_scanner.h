@@ -25,6 +25,22 @@ namespace lumbricus
   std::vector<PrmLine>
   scan_prm(const std::string &text);
 
+  /** A line that is none of a parameter file, and what is wrong with it. */
+  struct PrmMistake
+  {
+    unsigned int line = 0;
+    std::string  what;
+  };
+
+  /** The first there is; its line is 0 where there is none. */
+  PrmMistake
+  first_mistake(const std::string &text);
+
+  /** What a name or value has that a line of a parameter file cannot hold, in
+   * words; empty if there is nothing. */
+  std::string
+  unfit_for_a_line(const std::string &text);
+
   /** "A/B/Name" into {"A", "B", "Name"}. */
   std::vector<std::string>
   split_path(const std::string &path);

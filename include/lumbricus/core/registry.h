@@ -63,6 +63,16 @@ namespace lumbricus
       return all;
     }
 
+    /** The names as "'a', 'b', 'c'", for messages. */
+    static std::string
+    quoted_names()
+    {
+      std::string all;
+      for (const auto &entry : entries())
+        all += (all.empty() ? "'" : ", '") + entry.first + "'";
+      return all;
+    }
+
     /** One sentence per implementation, for the reference page. */
     static std::string
     descriptions()

@@ -16,15 +16,16 @@ namespace lumbricus
   inline std::vector<Expression>
   vector_expression(const std::string &name, const std::string &formulas)
   {
-    std::vector<Expression> components;
-    for (const std::string &formula :
-         dealii::Utilities::split_string_list(formulas, ';'))
-      components.emplace_back(name, formula);
-    AssertThrow(components.size() == dim,
+    const std::vector<std::string> parts =
+      dealii::Utilities::split_string_list(formulas, ';');
+    AssertThrow(parts.size() == dim,
                 ExcInput("Parameter '" + name + "': '" + formulas + "' has " +
-                         std::to_string(components.size()) +
+                         std::to_string(parts.size()) +
                          " components; give three expressions separated by "
                          "semicolons, such as '0.1*t; 0; 0'."));
+    std::vector<Expression> components;
+    for (const std::string &formula : parts)
+      components.emplace_back(name, formula);
     return components;
   }
 } // namespace lumbricus

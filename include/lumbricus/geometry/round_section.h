@@ -41,6 +41,10 @@ namespace lumbricus
     check_thicknesses(const std::string         &where,
                       const std::vector<double> &thicknesses) const;
 
+    /** The number of cells of cross_section(). */
+    double
+    n_cells(const bool filled) const;
+
     /** The pattern of the cells, with a disk inside where @p filled, else with
      * a hole. */
     CrossSection

@@ -34,12 +34,17 @@ namespace lumbricus
   class Probes
   {
   public:
-    /** Find the cells. Throws ExcInput for a point outside the body, on all
-     * ranks. Collective. */
+    /** Find the cells; the points have to pass check(). Collective. */
     Probes(const std::vector<dealii::Point<dim>> &points,
            const RunFolder                       &folder,
            const MixedSpace                      &space,
            const CellFields                      &cell_fields);
+
+    /** Throw ExcInput for a point outside the body, on all ranks. Collective.
+     */
+    static void
+    check(const std::vector<dealii::Point<dim>> &points,
+          const MixedSpace                      &space);
 
     /** Find the cells anew, after every change of the mesh. Collective. */
     void
@@ -67,8 +72,8 @@ namespace lumbricus
       bool                                             mine = false;
     };
 
-    Place
-    find(const dealii::Point<dim> &point) const;
+    static Place
+    find(const dealii::Point<dim> &point, const MixedSpace &space);
 
     const std::vector<dealii::Point<dim>> points;
     const MixedSpace                     &space;

@@ -42,6 +42,11 @@ namespace lumbricus
         const std::string &resolved_parameters,
         const Checkpoint  *checkpoint);
 
+    /** Whether there is a state on disk that run() would leave as the last good
+     * one. */
+    bool
+    has_begun() const;
+
   private:
     /** The steps of a run, which change @p state and @p step. */
     void
@@ -103,6 +108,7 @@ namespace lumbricus
     dealii::TimerOutput timer;
     ChainModel          model;
     RunWatch            watch;
+    bool                begun = false;
   };
 } // namespace lumbricus
 

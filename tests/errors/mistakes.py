@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the tests of wrong input share: many tiny runs, each with one mistake,
+and what the message on it has to be like.
+
+A mistake is a tuple that begins with its name and ends with the words that the
+message has to contain."""
+import concurrent.futures
+import os
+import pathlib
+import subprocess
+import tempfile
+
+from lumbricus_run import Run, run
+
+# What no user should have to read.
+JARGON = ("An error occurred", "Stacktrace", "exception", "Exception",
+          "TimerOutput", "violated", "bug", "MPI_ABORT", "[Anything]",
+          "[Map", "[List", "[Name]", "std::")
+
+
+def on_ranks(mistakes, on_two):
+    """All mistakes on one rank, and those of these names on two as well."""
+    missing = set(on_two) - {mistake[0] for mistake in mistakes}
+    assert not missing, missing
+    return [(mistake, 1) for mistake in mistakes] + \
+        [(mistake, 2) for mistake in mistakes if mistake[0] in on_two]
+
+
+def names(cases):
+    """What pytest calls the cases."""
+    return [f"{mistake[0]}, {ranks} rank" for mistake, ranks in cases]
+
+
+class ManyRuns:
+    """Runs of the program on one rank by many_runs, which loads it once; where
+    there is none (MANY_RUNS in the environment), as usual."""
+
+    def __init__(self):
+        self.process = None
+        self.said = tempfile.TemporaryDirectory()
+
+    def call(self, *arguments, folder=None):
+        """As subprocess.run() does."""
+        if "MANY_RUNS" not in os.environ:
+            return subprocess.run(
+                [os.environ["LUMBRICUS"], *map(str, arguments)],
+                capture_output=True, text=True, timeout=60, cwd=folder)
+        if self.process is None:
+            self.process = subprocess.Popen(
+                [os.environ["MANY_RUNS"]], stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE)
+        files = [pathlib.Path(self.said.name) / name for name in "oe"]
+        texts = [folder or os.getcwd(), *files, *arguments]
+        self.process.stdin.write(f"{len(texts)}\n".encode() + b"".join(
+            str(text).encode() + b"\0" for text in texts))
+        self.process.stdin.flush()
+        exit_code = int(self.process.stdout.readline())
+        return subprocess.CompletedProcess(
+            arguments, exit_code, *(file.read_text() for file in files))
+
+    def run(self, parameter_file, folder, settings=(), ranks=1):
+        """As lumbricus_run.run() does."""
+        if ranks > 1:
+            return run(parameter_file, folder, settings, ranks)
+        arguments = [parameter_file, "--output", folder]
+        for setting in settings:
+            arguments += ["--set", setting]
+        return Run(self.call(*arguments), folder)
+
+
+def run_all(start, cases, base):
+    """start(mistake, ranks, folder, run) for all cases, two at a time."""
+    def some(first):
+        runs = ManyRuns()
+        return [start(*cases[i], base / str(i), runs.run)
+                for i in range(first, len(cases), 2)]
+
+    results = [None] * len(cases)
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        results[0::2], results[1::2] = pool.map(some, (0, 1))
+    return results
+
+
+def check_one_message(result, words):
+    """Exit code 1, one message with all the words, and nothing on disk."""
+    everything = result.log + result.message
+    assert result.exit_code == 1, everything
+    for frame in JARGON:
+        assert frame not in everything, everything
+    # mpirun adds its own lines on processes that fail.
+    message = " ".join(result.message.split("\n---")[0].split())
+    assert message.startswith("lumbricus: ")
+    for part in words:
+        assert part in message, message
+    assert everything.count("lumbricus: ") == 1, everything
+    assert len(message) < 1000, message
+    # Nothing was computed, and no earlier results were touched.
+    assert not [path for path in result.folder.glob("**/*") if path.is_file()]
