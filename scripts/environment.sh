@@ -48,9 +48,8 @@ set_up_python()
 
 build_packages=(g++ cmake ninja-build libdeal.ii-dev libmumps-dev
   libopenblas0-serial openmpi-bin)
-# The second row lets VTK draw without a screen.
-python_packages=(python3 python3-venv
-  libegl1 libgl1 libgl1-mesa-dri)
+# The last two let VTK draw without a screen, in software.
+python_packages=(python3 python3-venv libegl1 libgl1-mesa-dri)
 test_packages=(libgtest-dev numdiff)
 
 # Open MPI refuses to start for root, as in containers, without the first two,

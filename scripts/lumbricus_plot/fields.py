@@ -3,6 +3,7 @@
 cells share. pyvista reads them; here is what their nodes are."""
 
 import pathlib
+import warnings
 
 import numpy as np
 import pyvista
@@ -37,8 +38,10 @@ def read_series(folder):
 
 def read_grid(pvtu_file):
     """All cells of all ranks at one time; the points are those at rest."""
-    # Without the catcher a missing piece is only a line on the terminal.
-    with pyvista.VtkErrorCatcher(raise_errors=True, send_to_logging=False):
+    # A missing piece would only be a warning; here it is an error, said once.
+    with (pyvista.VtkErrorCatcher(raise_errors=True, send_to_logging=False),
+          warnings.catch_warnings()):
+        warnings.simplefilter("ignore")
         grid = pyvista.read(pvtu_file)
     if grid.n_cells == 0 or grid.n_points != N_NODES * grid.n_cells:
         raise ValueError("it has no cells of 27 points")

@@ -3,6 +3,7 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 from PIL import Image
 
 from .figures import DOTS_PER_INCH, INCHES, choose_times, save
@@ -78,7 +79,8 @@ def add_colour_bars(figure, scales):
         axes = figure.add_axes([place, 0.47 / total, 0.37, 0.1 / total])
         colour_bar = figure.colorbar(
             plt.cm.ScalarMappable(norm=norm, cmap=colours), cax=axes,
-            orientation="horizontal")
+            orientation="horizontal",
+            ticks=MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
         colour_bar.set_label(label, fontsize=8, labelpad=2)
         colour_bar.ax.tick_params(labelsize=7, length=2, pad=2)
         colour_bar.outline.set_linewidth(0.5)

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Images of bodies, all with the same view, colours and light."""
 
+import ctypes
 import os
+import sys
 
 import numpy as np
 import pyvista
@@ -9,6 +11,7 @@ from matplotlib import colormaps
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 from PIL import Image
 
+from .run_folder import PlotError
 from .view import LIGHT, VIEW
 
 LIQUID_COLOURS = colormaps["YlGnBu"]
@@ -24,7 +27,9 @@ FLOOR = 0.94  # brightness of the second plane of the cut
 LIGHTS = [(LIGHT, 0.7), (VIEW.normal + [0.6, 0, -0.5], 0.35)]
 
 # Where Linux has a screen VTK would ask it first, and complain if it is gone.
-os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
+EGL = "vtkEGLRenderWindow"
+if sys.platform == "linux":
+    os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", EGL)
 pyvista.global_theme.multi_samples = 1
 
 
@@ -50,11 +55,23 @@ class Scales:
         return (255 * brightness * rgb).round().astype(np.uint8)
 
 
+def check_that_vtk_can_draw():
+    """Without the library VTK says many things and crashes."""
+    if os.environ.get("VTK_DEFAULT_OPENGL_WINDOW") == EGL:
+        try:
+            ctypes.CDLL("libEGL.so.1")
+        except OSError as error:
+            raise PlotError(
+                "The library libEGL, with which bodies are drawn, is missing "
+                f"({error}); run scripts/set_up_python.sh once.") from error
+
+
 class Scene:
     """Draws without a screen, one time after the other."""
 
     def __init__(self, scales, low, high, width):
         """The window from low to high, so many dots wide."""
+        check_that_vtk_can_draw()
         self.scales = scales
         self.size = np.array([width, round(width * (high - low)[1]
                                            / (high - low)[0])])
@@ -75,7 +92,7 @@ class Scene:
         focus = middle[0] * VIEW.right + middle[1] * VIEW.up
         camera = self.plotter.camera
         camera.focal_point = focus
-        camera.position = focus + 10 * np.ptp(low + high) * VIEW.normal + VIEW.normal
+        camera.position = focus + 3 * (high - low).max() * VIEW.normal
         camera.up = VIEW.up
         camera.parallel_projection = True
         camera.parallel_scale = 0.5 * (high - low)[1]
@@ -83,8 +100,8 @@ class Scene:
     def image(self, drawing):
         plotter = self.plotter
         plotter.clear_actors()
-        self.add_surface(drawing.outside, 1.0, ambient=0.56, diffuse=0.56,
-                         specular=0.08, specular_power=20, smooth_shading=True)
+        self.add_surface(drawing.outside, 1.0, ambient=0.62, diffuse=0.42,
+                         specular=0.05, specular_power=20, smooth_shading=True)
         for brightness, cut in zip((1.0, FLOOR), drawing.cuts):
             self.add_surface(cut, brightness, lighting=False)
         self.add_lines(drawing.lines)
@@ -111,7 +128,7 @@ class Scene:
     def add_fibres(self, lines, dots):
         look = {"color": FIBRE_COLOUR, "ambient": 0.6, "diffuse": 0.5}
         if lines.n_lines:
-            self.add(lines.tube(radius=1.3 * self.dot, n_sides=8), **look)
+            self.add(lines.tube(radius=1.1 * self.dot, n_sides=8), **look)
         if dots.n_points:
             ball = pyvista.Sphere(radius=2 * self.dot, theta_resolution=8,
                                   phi_resolution=8)

@@ -8,7 +8,8 @@ import pyvista
 from .fields import (EDGES_OF_FACE, FACES, MIDDLE, grid_of, have_no_partner,
                      place_keys, nodes_of_cells, read_grid)
 
-SUBDIVISIONS = 2     # of a curved face: into 2^n x 2^n quadrilaterals
+# A curved face is drawn as 2^n x 2^n pairs of triangles, fewer of many faces.
+SUBDIVISIONS, SUBDIVISIONS_OF_MANY, MANY = 3, 2, 1500
 SHARP = 35           # degrees between faces that meet in an edge
 ALONG_EDGE = 9       # points of a curved line
 LONGEST = 0.6        # of a drawn fibre, in lengths of a face
@@ -84,9 +85,11 @@ class Faces:
         fields["material"] = self.material
         faces = grid_of(self.rest, self.nodes[chosen], fields)
         faces = faces.clean(tolerance=1e-5, merging_array_name="material")
-        surface = faces.extract_surface(nonlinear_subdivision=SUBDIVISIONS,
-                                        algorithm="dataset_surface",
-                                        pass_pointid=False, pass_cellid=False)
+        surface = faces.extract_surface(
+            nonlinear_subdivision=(SUBDIVISIONS if faces.n_cells < MANY
+                                   else SUBDIVISIONS_OF_MANY),
+            algorithm="dataset_surface", pass_pointid=False,
+            pass_cellid=False)
         surface.points += surface["displacement"]
         return surface.compute_normals(
             cell_normals=False, feature_angle=SHARP, split_vertices=True,
