@@ -24,7 +24,8 @@ from lumbricus_plot.tables import read_parameters  # noqa: E402
 EDGES = np.array([[0, 1, 8], [1, 2, 9], [2, 3, 10], [3, 0, 11], [4, 5, 12],
                   [5, 6, 13], [6, 7, 14], [7, 4, 15], [0, 4, 16], [1, 5, 17],
                   [2, 6, 18], [3, 7, 19]])
-MIRRORS = {"full": 1, "half": 2, "quarter": 4}
+TIMES = [0, 0.1]
+MIRRORS = {"full": 1, "quarter": 4}
 
 
 @pytest.fixture(scope="module", params=["quarter", "full"])
@@ -43,7 +44,7 @@ def runs(tmp_path_factory):
             made[section] = run_well(
                 SOURCE / "tests" / "physics" / "chain.prm",
                 tmp_path_factory.mktemp(section),
-                ["Output/Every=1",
+                ["Output/Every=1", f"Time/End={TIMES[-1]}",
                  f"Geometry/segment chain/Cross-section={section}"], ranks=2)
         return made[section]
 
@@ -57,14 +58,14 @@ def test_pandas_reads_the_tables(runs):
         assert len(table) == len(run.table(f"{name}.csv"))
         assert all(kind.kind in "if" for kind in table.dtypes)
     table = pandas.read_csv(run.folder / "segments.csv")
-    assert table.groupby("segment").size().tolist() == [4, 4, 4]
-    assert table["t"].unique() == pytest.approx([0, 0.1, 0.2, 0.3])
+    assert table.groupby("segment").size().tolist() == [2, 2, 2]
+    assert table["t"].unique() == pytest.approx(TIMES)
 
 
 def test_pyvista_reads_the_fields(runs, section):
     run = runs(section)
     reader = pyvista.get_reader(run.folder / "solution.pvd")
-    assert reader.time_values == pytest.approx([0, 0.1, 0.2, 0.3])
+    assert reader.time_values == pytest.approx(TIMES)
     reader.set_active_time_value(reader.time_values[-1])
     grid = reader.read()[0]
     assert grid.n_cells == run.table("mesh.csv")[0]["cells"]
@@ -149,7 +150,7 @@ def test_colours(runs, tmp_path):
     """Liquid has the colour of the pressure in segments.csv, relative to the
     largest there is, and muscle on the cut that of its contraction."""
     run = runs("quarter")
-    image = picture(run, tmp_path, "--times", "0.3", "--only", "picture")
+    image = picture(run, tmp_path, "--times", "0.1", "--only", "picture")
     assert count(image[:, :5], (1, 1, 1)) == 5 * len(image)
     # Without the bars, which have all colours.
     image = image[:int(0.7 * len(image))]
@@ -164,19 +165,17 @@ def test_colours(runs, tmp_path):
 
 def test_mesh_and_fibres_are_drawn(runs, tmp_path):
     run = runs("quarter")
-    options = ["--times", "0.3", "--only", "picture"]
+    options = ["--times", "0.1", "--only", "picture"]
     plain = picture(run, tmp_path, *options)
     with_mesh = picture(run, tmp_path, *options, "--mesh")
-    darker = plain.mean(axis=2) - with_mesh.mean(axis=2)
-    assert (darker > 30).sum() > 1000 and (darker < -1).sum() == 0
+    assert (np.abs(plain - with_mesh) > 30).any(axis=2).sum() > 1000
     green = (0.08, 0.72, 0.65)
     with_fibres = picture(run, tmp_path, *options, "--fibres")
-    assert count(plain, green, 30) == 0
-    assert count(with_fibres, green, 30) > 200
+    assert count(with_fibres, green, 30) > count(plain, green, 30) + 200
 
 
 def test_quarter_and_full_look_alike(runs, tmp_path):
-    quarter, full = (picture(runs(part), tmp_path, "--thumbnail", "0.3")
+    quarter, full = (picture(runs(part), tmp_path, "--thumbnail", "0.1")
                      for part in ("quarter", "full"))
     assert quarter.shape == (150, 240, 3)
     assert (tmp_path / "thumbnail.png").stat().st_size < 30000
