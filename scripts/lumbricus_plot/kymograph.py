@@ -19,7 +19,7 @@ def mean_stretches(grid, segments):
     volume at rest of the cells that have its fibres; nan where none has."""
     nodes = nodes_of_cells(grid)
     middle = nodes[:, MIDDLE]
-    volumes = np.abs(grid.compute_cell_sizes(length=False, area=False)["Volume"])
+    volumes = grid.compute_cell_sizes(length=False, area=False)["Volume"]
     in_segment = (np.round(grid["segment"][middle])
                   == np.reshape(segments, (-1, 1)))
     means = {}
@@ -31,8 +31,8 @@ def mean_stretches(grid, segments):
         weights = in_segment * volumes * (np.linalg.norm(fibre, axis=1) > 0)
         total = weights.sum(axis=1)
         sums = weights @ (grid[name][nodes] @ MEAN_WEIGHTS)
-        means[muscle] = np.where(total > 0, sums / np.where(total > 0, total, 1),
-                                 np.nan)
+        means[muscle] = np.divide(sums, total, where=total > 0,
+                                  out=np.full(len(total), np.nan))
     return means
 
 

@@ -30,6 +30,7 @@ LIGHTS = [(LIGHT, 0.7), (VIEW.normal + [0.6, 0, -0.5], 0.35)]
 EGL = "vtkEGLRenderWindow"
 if sys.platform == "linux":
     os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", EGL)
+# The dots of an image are means already.
 pyvista.global_theme.multi_samples = 1
 
 

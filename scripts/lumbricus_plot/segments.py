@@ -10,7 +10,7 @@ MOST_LINES = 2  # more segments are drawn as rows of colour
 
 
 def panels(run):
-    """(title, values [time, segment], colours, whether zero is in the middle)"""
+    """(title, values [time, segment], colours, zero in the middle or not)"""
     volume = run.field("fluid_volume" if run.has_liquid else "wall_volume")
     return [
         ("length [mm]", run.field("length"), "viridis", False),

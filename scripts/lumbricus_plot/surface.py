@@ -6,7 +6,7 @@ import numpy as np
 import pyvista
 
 from .fields import (EDGES_OF_FACE, FACES, MIDDLE, grid_of, have_no_partner,
-                     place_keys, nodes_of_cells, read_grid)
+                     nodes_of_cells, place_keys, read_grid)
 
 # A curved face is drawn as 2^n x 2^n pairs of triangles, fewer of many faces.
 SUBDIVISIONS, SUBDIVISIONS_OF_MANY, MANY = 3, 2, 1500
@@ -15,22 +15,22 @@ ALONG_EDGE = 9       # points of a curved line
 LONGEST = 0.6        # of a drawn fibre, in lengths of a face
 ACROSS = 0.25        # fibres with less than this in a face are dots
 
-# Quadratic functions of the ends and the middle of an edge at these points, and
-# in the middles of its halves.
-S = np.linspace(0, 1, ALONG_EDGE)
 
 
 def on_edge(s):
+    """The quadratic functions of begin, middle and end of an edge at s."""
     return np.stack([(1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1)],
                     axis=-1)
 
 
+CURVE = on_edge(np.linspace(0, 1, ALONG_EDGE))
 HALVES = on_edge(np.array([0.25, 0.75]))
-# Of the nine nodes of a face in the middles of its quarters, by the place of
-# the nodes in three rows of three.
+# Those of the nine nodes of a face in the middles of its quarters; these nodes
+# lie in three rows of three.
 ROWS = np.array([[0, 4, 1], [7, 8, 5], [3, 6, 2]])
 QUARTERS = np.zeros((4, 9))
-QUARTERS[:, ROWS.ravel()] = np.einsum("ai,bj->abij", HALVES, HALVES).reshape(4, 9)
+QUARTERS[:, ROWS.ravel()] = np.einsum(
+    "ai,bj->abij", HALVES, HALVES).reshape(4, 9)
 
 
 def contraction(fields):
@@ -110,7 +110,7 @@ class Faces:
                                   self.size) * 64 + tissue.astype(int)[:, None]
                 edges = edges[have_no_partner(keys[:, 0], keys[:, 1:])]
             found.append(edges)
-        x = np.einsum("ai,eic->eac", on_edge(S),
+        x = np.einsum("ai,eic->eac", CURVE,
                       self.moved[np.concatenate(found)])
         return polylines(x)
 

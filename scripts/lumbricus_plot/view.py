@@ -27,7 +27,7 @@ class View:
         return low - margin, high + margin
 
 
-# A little from above and from the tail. Of a round body, the quarter y < 0, z > 0
-# faces the viewer and is left out.
+# A little from above and from the tail. Of a round body, the quarter y < 0,
+# z > 0 faces the viewer and is left out.
 VIEW = View([0.28, -0.82, 0.5])
 LIGHT = unit([-0.1, -0.6, 0.8])
