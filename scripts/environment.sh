@@ -38,12 +38,13 @@ python="$repository/.venv/bin/python"
 set_up_python()
 {
   local wanted="$repository/scripts/requirements.txt"
-  local done="$repository/.venv/requirements.txt"
-  "$python" -c "" 2>/dev/null && cmp -s "$wanted" "$done" && return
+  local installed="$repository/.venv/requirements.txt"
+  "$python" -c "import numpy" 2>/dev/null \
+    && cmp -s "$wanted" "$installed" && return
   echo "Installing the packages of scripts/requirements.txt in .venv"
   /usr/bin/python3 -m venv --clear "$repository/.venv"
   "$python" -m pip install -q --disable-pip-version-check -r "$wanted"
-  cp "$wanted" "$done"
+  cp "$wanted" "$installed"
 }
 
 build_packages=(g++ cmake ninja-build libdeal.ii-dev libmumps-dev

@@ -9,4 +9,4 @@ build Release
 cd "$repository"
 mpirun -np "$cores" build-Release/lumbricus parameters/peristalsis/case.prm \
   --output results/peristalsis
-scripts/lumbricus-plot results/peristalsis
+"$python" scripts/lumbricus-plot results/peristalsis

@@ -16,7 +16,6 @@ LONGEST = 0.6        # of a drawn fibre, in lengths of a face
 ACROSS = 0.25        # fibres with less than this in a face are dots
 
 
-
 def on_edge(s):
     """The quadratic functions of begin, middle and end of an edge at s."""
     return np.stack([(1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1)],
