@@ -32,11 +32,26 @@ build()
   cmake --build "$folder"
 }
 
+# The Python of everything that draws or tests, with the packages of
+# requirements.txt; made anew where that or Debian's Python has changed.
+python="$repository/.venv/bin/python"
+set_up_python()
+{
+  local wanted="$repository/scripts/requirements.txt"
+  local installed="$repository/.venv/requirements.txt"
+  "$python" -c "import numpy" 2>/dev/null \
+    && cmp -s "$wanted" "$installed" && return
+  echo "Installing the packages of scripts/requirements.txt in .venv"
+  /usr/bin/python3 -m venv --clear "$repository/.venv"
+  "$python" -m pip install -q --disable-pip-version-check -r "$wanted"
+  cp "$wanted" "$installed"
+}
+
 build_packages=(g++ cmake ninja-build libdeal.ii-dev libmumps-dev
   libopenblas0-serial openmpi-bin)
-picture_packages=(python3-numpy python3-matplotlib)
-test_packages=(libgtest-dev numdiff python3-pytest python3-numpy
-  python3-matplotlib doxygen)
+# The last two let VTK draw without a screen, in software.
+python_packages=(python3 python3-venv libegl1 libgl1-mesa-dri)
+test_packages=(libgtest-dev numdiff doxygen)
 
 # Open MPI refuses to start for root, as in containers, without the first two,
 # and more ranks than cores without the third; without the last, runs side by

@@ -2,9 +2,10 @@
 # Build Debug and Release and run all tests, on one and more ranks.
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 
-install_missing "${build_packages[@]}" "${test_packages[@]}"
-# The Python that the packages above are for.
-options=(-DLUMBRICUS_WERROR=ON -DPython3_EXECUTABLE=/usr/bin/python3)
+install_missing "${build_packages[@]}" "${python_packages[@]}" \
+  "${test_packages[@]}"
+set_up_python
+options=(-DLUMBRICUS_WERROR=ON -DPython3_EXECUTABLE="$python")
 build Release "${options[@]}"
 build Debug "${options[@]}"
 export CTEST_OUTPUT_ON_FAILURE=1

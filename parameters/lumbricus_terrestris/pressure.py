@@ -19,7 +19,8 @@ import numpy as np  # noqa: E402
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 
-from run_output import read_parameters, read_table  # noqa: E402
+from lumbricus_plot.tables import (  # noqa: E402
+    read_parameters, read_table)
 
 KPA = 1e3  # in a N/mm^2
 # The mean peaks of 12 and 7 cm of water (Seymour 1969), in kPa; 1 cm of water is

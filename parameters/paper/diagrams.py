@@ -10,12 +10,11 @@ from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
 
 import closed_forms  # noqa: E402
 import experiments  # noqa: E402
-from picture import all_faces, select  # noqa: E402
-from run_output import read_series, read_solution, read_table  # noqa: E402
+from lumbricus_plot.fields import (  # noqa: E402
+    FACES, nodes_of_cells, read_grid, read_series)
+from lumbricus_plot.tables import read_table  # noqa: E402
 
-# The nodes around a face with 3 x 3 points.
-AROUND = [(0, 0), (0, 1), (0, 2), (1, 2), (2, 2), (2, 1), (2, 0), (1, 0),
-          (0, 0)]
+AROUND = [0, 4, 1, 5, 2, 6, 3, 7, 0]  # the nodes around a face
 NUS = closed_forms.POISSON_RATIOS
 COLOURS = dict(zip(NUS, ("#d95f02", "#1b9e77", "#7570b3", "#000000")))
 
@@ -84,14 +83,12 @@ def diagrams2_and_3(runs):
 def meridian(folder):
     """The faces in the plane z = 0 at the end of a run, mirrored in x = 0:
     outlines at rest and deformed [face, point, x y], and which are liquid."""
-    fields = read_solution(read_series(folder)[-1][1])
-    faces = all_faces(fields)
-    inside = np.abs(faces["points"][..., 2]).max(axis=(1, 2)) < 1e-6
-    faces = select(faces, inside)
-    rest = np.stack([faces["points"][:, i, j, :2] for i, j in AROUND], 1)
-    moved = rest + np.stack([faces["displacement"][:, i, j, :2]
-                             for i, j in AROUND], 1)
-    liquid = faces["tissue"][:, 1, 1] == 0
+    grid = read_grid(read_series(folder)[-1][1])
+    faces = nodes_of_cells(grid)[:, FACES].reshape(-1, 9)
+    faces = faces[np.abs(grid.points[faces][..., 2]).max(axis=1) < 1e-6]
+    rest = grid.points[faces[:, AROUND], :2]
+    moved = rest + grid["displacement"][faces[:, AROUND], :2]
+    liquid = grid["tissue"][faces[:, 8]] == 0
     mirror = np.array([-1, 1])
     both = [np.concatenate([p, p * mirror, -p, -p * mirror])
             for p in (rest, moved)]

@@ -4,8 +4,9 @@
 # results/paper. About three minutes on two cores.
 source "$(dirname "${BASH_SOURCE[0]}")/../../scripts/environment.sh"
 
-install_missing "${build_packages[@]}" "${picture_packages[@]}"
+install_missing "${build_packages[@]}" "${python_packages[@]}"
+set_up_python >&2
 build Release >&2
 export LUMBRICUS="$repository/build-Release/lumbricus"
-exec /usr/bin/python3 "$repository/parameters/paper/experiments.py" \
+exec "$python" "$repository/parameters/paper/experiments.py" \
   "$repository/results/paper"

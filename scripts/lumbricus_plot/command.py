@@ -5,13 +5,14 @@ import argparse
 import pathlib
 import sys
 
-from picture import draw_table
-
-from .animation import animate, find_ffmpeg
+from . import captions
+from .animation import animate
 from .convergence import draw_convergence
 from .kymograph import draw_kymograph
+from .panels import draw_picture, draw_thumbnail
 from .report import write_report
 from .run_folder import PlotError, RunFolder
+from .segments import draw_segments
 
 DESCRIPTION = """\
 Draw a run and write a report of it. RUN_DIR, the output folder of a run that
@@ -19,13 +20,17 @@ is over or still going on, gets
 
   animation.gif    the deforming body, cut open: liquid coloured by pressure,
                    muscle by active contraction
+  picture.png      the same at a few times in one figure
   kymograph.png    length, pressure and activation, segments against time
   segments.png     length, radius, pressure and volume of every segment
   convergence.png  resets, divergence after each, residuals of Newton's method
-  report.html      all of these in one file, with numbers and parameters
+  report.html      all of these but picture.png in one file, with numbers and
+                   parameters
 
 Exit code 1 says that the folder is no run, or that something in it is missing.
 """
+NAMES = ["animation", "picture", "kymograph", "segments", "convergence",
+         "report"]
 
 
 def positive(text):
@@ -44,96 +49,106 @@ def parse(arguments):
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", metavar="RUN_DIR",
                         help="the output folder of a run")
-    parser.add_argument("--frames", type=positive, default=40, metavar="N",
-                        help="most frames of the animation, evenly spaced in "
-                        "time (default: 40)")
-    parser.add_argument("--fibres", action="store_true",
-                        help="draw the fibres of the muscles on the cut")
-    parser.add_argument("--mp4", action="store_true",
-                        help="write animation.mp4 instead of the GIF; needs "
-                        "ffmpeg")
+    parser.add_argument("--only", choices=NAMES, nargs="+", default=NAMES,
+                        metavar="NAME", help="make only these: "
+                        + ", ".join(NAMES) + "; a report then has only these "
+                        "pictures")
     parser.add_argument("--output", metavar="DIR",
                         help="write to this folder (default: RUN_DIR)")
+    bodies = parser.add_argument_group("bodies")
+    bodies.add_argument("--fibres", action="store_true",
+                        help="draw the fibres of the muscles")
+    bodies.add_argument("--mesh", action="store_true",
+                        help="draw the cells on the cut")
+    bodies.add_argument("--thumbnail", type=float, metavar="T",
+                        help="write only thumbnail.png, the body at time T in "
+                        "240 x 150 dots, without words")
+    film = parser.add_argument_group("animation")
+    film.add_argument("--frames", type=positive, default=40, metavar="N",
+                      help="most frames, evenly spaced in time (default: 40)")
+    film.add_argument("--mp4", action="store_true",
+                      help="write animation.mp4 instead of the GIF")
+    picture = parser.add_argument_group("picture.png")
+    picture.add_argument("--times", type=float, nargs="+", default=[],
+                         metavar="T", help="times to show (default: evenly "
+                         "spaced ones)")
+    picture.add_argument("--count", type=positive, default=6, metavar="N",
+                         help="how many evenly spaced times (default: 6)")
+    picture.add_argument("--columns", type=positive, default=0, metavar="N",
+                         help="bodies side by side (default: as fits)")
     return parser.parse_args(arguments)
 
 
-def animation_caption(times, with_fibres):
-    when = (f"Time t = {times[0]:g}." if len(times) == 1 else
-            f"{len(times)} times from t = {times[0]:g} to t = {times[-1]:g}.")
-    text = (when + " The body is cut open along its axis (a block where it is "
-            "symmetric), the head on the left, at true scale. Liquid is coloured by its pressure [N/mm²], muscle "
-            "by its active contraction: by how much [%] the most active "
-            "fibres want to be shorter than at rest. View and colours are "
-            "the same at all times.")
-    if with_fibres:
-        text += (" Green lines are fibres in the plane of the cut, green dots "
-                 "fibres that cross it.")
-    return text
+def make_animation(run, options, out):
+    name = out / ("animation.mp4" if options.mp4 else "animation.gif")
+    times = animate(run, options, name)
+    return name, "The deforming body", captions.animation_caption(
+        times, options.fibres)
 
 
-KYMOGRAPH = (
-    "Segments downwards, the head at the top; time to the right. Length "
-    "relative to rest [-]: red is shorter, blue longer.")
-PRESSURE = " Pressure of the liquid [N/mm²], positive in compression."
-ACTIVATION = (
-    " Activation: for every muscle the mean active stretch [-] over the cells "
-    "of a segment that have its fibres, at the times that have fields; less "
-    "than 1 (dark) is a contraction, grey a segment without that muscle.")
-SEGMENTS = (
-    "Length [mm] and radius in the middle [mm], pressure [N/mm²] and relative "
-    "change of the volume [-] of the liquid (of the wall where there is none) "
-    "in every segment against time.")
-CONVERGENCE = (
-    "Top: how often liquid was reset, in any segment, in each load step with "
-    "the adaptations that follow it, and how often a step was cut. Middle: the "
-    "largest divergence η [-] from the hydrostatic state of all segments, "
-    "after every solve; where a segment is above the tolerance it is reset "
-    "and all is solved again. Bottom: residuals and increments [-] of Newton's "
-    "method, a line for every solve, coloured by its load step. The residuals "
-    "of a solve have to come below their tolerances; of the increment, what is "
-    "estimated to be still to come has to, so that lines may end above it. "
-    "Dashed lines are the tolerances of this run.")
-
-
-def make_all(run, arguments, ffmpeg):
-    """Write all files and return their names."""
-    out = pathlib.Path(arguments.output or arguments.folder)
-    out.mkdir(parents=True, exist_ok=True)
-    pictures, notes = [], []
-
-    if run.series:
-        name = out / ("animation.gif" if ffmpeg is None else "animation.mp4")
-        times = animate(run, arguments.frames, arguments.fibres, name, ffmpeg)
-        pictures.append((name, "The deforming body",
-                         animation_caption(times, arguments.fibres)))
-    else:
-        notes.append("There are no fields yet (no solution.pvd, or no time in "
-                     "it), and therefore no animation and no activation; "
-                     "Output/Every says how often fields are written.")
-
+def make_kymograph(run, _, out):
     name = out / "kymograph.png"
     has_activation = draw_kymograph(run, name)
-    pictures.append((name, "Kymograph", KYMOGRAPH
-                     + (PRESSURE if run.has_liquid else "")
-                     + (ACTIVATION if has_activation else "")))
+    return name, "Kymograph", (
+        captions.KYMOGRAPH + (captions.PRESSURE if run.has_liquid else "")
+        + (captions.ACTIVATION if has_activation else ""))
+
+
+def make_segments(run, _, out):
     name = out / "segments.png"
-    draw_table(run.segments, run.figure_parameters(), name)
-    pictures.append((name, "Segments", SEGMENTS))
+    draw_segments(run, name)
+    return name, "Segments", captions.SEGMENTS
+
+
+def make_convergence(run, _, out):
     name = out / "convergence.png"
     draw_convergence(run, name)
-    pictures.append((name, "Convergence", CONVERGENCE))
+    return name, "Convergence", captions.CONVERGENCE
 
-    write_report(run, pictures, notes, out / "report.html")
-    return out, [*(file.name for file, *_ in pictures), "report.html"], notes
+
+# In the order of the report.
+OF_THE_REPORT = {"animation": make_animation, "kymograph": make_kymograph,
+                 "segments": make_segments, "convergence": make_convergence}
+NEED_FIELDS = {"animation", "picture"}
+
+
+def make_all(run, options, out):
+    """Write what is wanted; the names of the files, and notes."""
+    wanted, names, notes = set(options.only), [], []
+    if not run.series and wanted & NEED_FIELDS:
+        wanted -= NEED_FIELDS
+        notes.append("There are no fields yet (no solution.pvd, or no time in "
+                     "it), and therefore no animation, no picture and no "
+                     "activation; Output/Every says how often fields are "
+                     "written.")
+    pictures = [make(run, options, out)
+                for name, make in OF_THE_REPORT.items() if name in wanted]
+    names = [file.name for file, *_ in pictures]
+    if "picture" in wanted:
+        draw_picture(run, options, out / "picture.png")
+        names.append("picture.png")
+    if "report" in wanted:
+        write_report(run, pictures, notes, out / "report.html")
+        names.append("report.html")
+    return names, notes
+
+
+def make_thumbnail(run, options, out):
+    if not run.series:
+        raise PlotError(f"'{run.path}' has no fields yet, and a thumbnail "
+                        "needs them; wait for the first ones.")
+    draw_thumbnail(run, options, out / "thumbnail.png")
+    return ["thumbnail.png"], []
 
 
 def main(arguments=None):
-    arguments = parse(arguments)
+    options = parse(arguments)
     try:
-        # Before anything takes time.
-        ffmpeg = find_ffmpeg() if arguments.mp4 else None
-        out, names, notes = make_all(RunFolder(arguments.folder), arguments,
-                                     ffmpeg)
+        run = RunFolder(options.folder)
+        out = pathlib.Path(options.output or options.folder)
+        out.mkdir(parents=True, exist_ok=True)
+        make = make_all if options.thumbnail is None else make_thumbnail
+        names, notes = make(run, options, out)
     except PlotError as error:
         print(f"lumbricus-plot: {error}", file=sys.stderr)
         return 1
@@ -144,5 +159,6 @@ def main(arguments=None):
         return 1
     for note in notes:
         print(note)
-    print(f"Wrote {', '.join(names[:-1])} and {names[-1]} to {out}")
+    if names:
+        print(f"Wrote {', '.join(names)} to {out}")
     return 0

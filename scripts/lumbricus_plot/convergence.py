@@ -7,7 +7,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
 
-from picture import save
+from .figures import INCHES, save
 
 NOTHING = "nothing yet"
 STEP_COLOURS = plt.get_cmap("viridis")
@@ -144,7 +144,7 @@ def draw_newton(axes, run, name, title, tolerance):
 
 
 def draw_convergence(run, file_name):
-    figure = plt.figure(figsize=(7.5, 7), layout="constrained")
+    figure = plt.figure(figsize=(INCHES, 7), layout="constrained")
     grid = figure.subplot_mosaic(
         [["resets"] * 3, ["eta"] * 3, [name for name, *_ in NEWTON_PANELS]],
         gridspec_kw={"height_ratios": [1, 1.5, 1.6]})

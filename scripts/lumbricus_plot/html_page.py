@@ -18,7 +18,7 @@ h1 { font-size: 1.6rem; line-height: 1.25; }
 h2 { font-size: 1.2rem; margin-top: 2.2rem;
   border-bottom: 1px solid var(--line); }
 figure { margin: 1.2rem 0; }
-figure img, figure video { max-width: 100%; height: auto; background: #ffffff;
+figure img, figure video { width: 100%; height: auto; background: #ffffff;
   border-radius: 6px; padding: 6px; box-sizing: border-box; }
 figcaption, .note { color: var(--faint); font-size: 0.92rem; }
 .scroll { overflow: auto; max-height: 32rem; }
@@ -28,7 +28,9 @@ th, td { padding: 0.2rem 0.7rem; text-align: right; vertical-align: top;
   border-bottom: 1px solid var(--line); }
 th { font-weight: 600; }
 tbody tr:nth-child(even) { background: var(--stripe); }
-td.text, th.text { text-align: left; overflow-wrap: anywhere; }
+td { white-space: nowrap; }
+td.text, th.text { text-align: left; white-space: normal; max-width: 24rem;
+  overflow-wrap: break-word; }
 summary { cursor: pointer; margin: 0.6rem 0; }
 """
 

@@ -5,53 +5,41 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import FuncNorm, Normalize
 
-from picture import MUSCLE_COLOURS, cell_borders, choose_times, save
-
+from .fields import MEAN_WEIGHTS, MIDDLE, nodes_of_cells
+from .figures import INCHES, cell_borders, choose_times, save
+from .scene import MUSCLE_COLOURS
 from .summary import extreme
 
 MOST_TIMES = 200  # at which fields are read
 PREFIX = "active_stretch_"
-# Derivatives of the quadratic functions in the three points of an edge.
-SLOPES = np.array([[-3.0, 4.0, -1.0], [-1.0, 0.0, 1.0], [1.0, -4.0, 3.0]])
-SIMPSON = np.array([1.0, 4.0, 1.0]) / 6
 
 
-def point_volumes(points):
-    """The volume of every cell, shared out to its 27 points [cell, i, j, k]
-    by Simpson's rule."""
-    gradient = np.stack([
-        np.einsum("ai,nijkc->najkc", SLOPES, points),
-        np.einsum("bj,nijkc->nibkc", SLOPES, points),
-        np.einsum("ck,nijkd->nijcd", SLOPES, points)], axis=-1)
-    return np.abs(np.linalg.det(gradient)) * np.einsum(
-        "i,j,k->ijk", SIMPSON, SIMPSON, SIMPSON)
-
-
-def mean_stretches(fields, segments):
+def mean_stretches(grid, segments):
     """For every muscle its mean active stretch in every segment, over the
     volume at rest of the cells that have its fibres; nan where none has."""
-    volumes = point_volumes(fields["points"])
-    segment = np.round(fields["segment"][:, 1, 1, 1]).astype(int)
+    nodes = nodes_of_cells(grid)
+    middle = nodes[:, MIDDLE]
+    volumes = grid.compute_cell_sizes(length=False, area=False)["Volume"]
+    in_segment = (np.round(grid["segment"][middle])
+                  == np.reshape(segments, (-1, 1)))
     means = {}
-    for name in fields:
+    for name in grid.point_data:
         if not name.startswith(PREFIX):
             continue
         muscle = name[len(PREFIX):]
-        fibre = fields["fibre_" + muscle][:, 1, 1, 1]
-        has_muscle = np.linalg.norm(fibre, axis=-1) > 0
-        weights = np.where(has_muscle[:, None, None, None], volumes, 0)
-        total = np.array([weights[segment == s].sum() for s in segments])
-        sums = np.array([(weights * fields[name])[segment == s].sum()
-                         for s in segments])
-        means[muscle] = np.where(total > 0, sums / np.where(total > 0, total, 1),
-                                 np.nan)
+        fibre = grid["fibre_" + muscle][middle]
+        weights = in_segment * volumes * (np.linalg.norm(fibre, axis=1) > 0)
+        total = weights.sum(axis=1)
+        sums = weights @ (grid[name][nodes] @ MEAN_WEIGHTS)
+        means[muscle] = np.divide(sums, total, where=total > 0,
+                                  out=np.full(len(total), np.nan))
     return means
 
 
 def activation(run):
     """Times, and by muscle the mean active stretch [time, segment]."""
     shown = choose_times(run.series, [], MOST_TIMES) if run.series else []
-    rows = [mean_stretches(run.fields(name), run.segment_numbers)
+    rows = [mean_stretches(run.grid(name), run.segment_numbers)
             for _, name in shown]
     times = np.array([time for time, _ in shown])
     muscles = rows[0].keys() if rows else []
@@ -104,8 +92,8 @@ def draw_kymograph(run, file_name):
     n_muscles = len(shown) - (2 if run.has_liquid else 1)
     heights = [1.5] * (len(shown) - n_muscles) + [1.1] * n_muscles
     figure, grid = plt.subplots(
-        len(shown), 1, figsize=(7.5, sum(heights) + 0.8), sharex=True, squeeze=False,
-        layout="constrained",
+        len(shown), 1, figsize=(INCHES, sum(heights) + 0.8), sharex=True,
+        squeeze=False, layout="constrained",
         gridspec_kw={"height_ratios": heights})
     grid = grid[:, 0]
     numbers = run.segment_numbers

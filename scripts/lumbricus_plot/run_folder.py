@@ -9,8 +9,9 @@ import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 
-from picture import Body
-from run_output import read_parameters, read_series, read_solution, read_table
+from .body import Body
+from .fields import read_grid, read_series
+from .tables import read_parameters, read_table
 
 
 class PlotError(Exception):
@@ -143,8 +144,8 @@ class RunFolder:
             raise PlotError(f"'{file_name}' cannot be read ({error}); run the "
                             "case again.") from error
 
-    def fields(self, pvtu_file):
-        return self.reading(pvtu_file, read_solution, pvtu_file)
+    def grid(self, pvtu_file):
+        return self.reading(pvtu_file, read_grid, pvtu_file)
 
     def body(self):
         return self.reading(self.path / "parameters.prm", Body,
@@ -161,11 +162,13 @@ class RunFolder:
                 f"{error.strerror or error}; bring the file back, start in "
                 "the folder the run was started in, or run the case again."
             ) from error
-        except (ElementTree.ParseError, ValueError, KeyError, IndexError,
+        except (RuntimeError, ValueError, KeyError, IndexError,
                 TypeError) as error:
+            # VTK's errors have several lines.
+            reason = " ".join(str(error).split())
             raise PlotError(f"'{file_name}' or a file it names is not as the "
-                            f"program writes it ({error}); run the case "
-                            "again.") from error
+                            f"program writes it ({reason}); bring the files "
+                            "back, or run the case again.") from error
 
     def number(self, name):
         """A parameter as a number, None where there is none."""
@@ -174,11 +177,8 @@ class RunFolder:
         except (KeyError, ValueError):
             return None
 
-    def figure_parameters(self):
-        """The parameters with a title in which Matplotlib sees no formula."""
-        return {**self.parameters, "Title": self.figure_title()}
-
     def figure_title(self):
+        """In which Matplotlib sees no formula."""
         return self.title.replace("$", r"\$")
 
     def versions(self):

@@ -9,19 +9,18 @@ import shutil
 import subprocess
 import sys
 
+import imageio
 import pytest
+from PIL import Image
 
 from lumbricus_run import SOURCE, run_well
-
-pytest.importorskip("numpy")
-pytest.importorskip("matplotlib")
-Image = pytest.importorskip("PIL.Image")
 
 SCRIPTS = SOURCE / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 from lumbricus_plot.command import main  # noqa: E402
 
-PICTURES = ["kymograph.png", "segments.png", "convergence.png"]
+PICTURES = ["picture.png", "kymograph.png", "segments.png",
+            "convergence.png"]
 TITLE = "Waves <b>& $more$</b>"
 FRAMES = 3
 
@@ -249,9 +248,66 @@ def test_fields_that_are_missing(refused, copy):
     refused(copy, "solution.pvd", "run the case again")
 
 
-def test_film_without_ffmpeg(refused, copy, monkeypatch):
-    monkeypatch.setenv("PATH", "")
-    refused(copy, "ffmpeg", "leave out --mp4", options=["--mp4"])
+def test_pieces_that_are_missing_or_damaged(refused, copy):
+    pieces = sorted((copy / "vtu").glob("*.vtu"))
+    text = pieces[1].read_text()
+    pieces[1].write_text(text[:len(text) // 2])
+    refused(copy, "solution_00001", "bring the files back")
+    pieces[1].unlink()
+    refused(copy, "solution_00001", "bring the files back")
+
+
+def test_film(finished, tmp_path):
+    assert main([str(finished.folder), "--output", str(tmp_path), "--mp4",
+                 "--frames", str(FRAMES), "--only", "animation", "report"]) == 0
+    # A list asks for the number of frames first, which no film tells.
+    film = [frame for frame in imageio.get_reader(tmp_path / "animation.mp4")]
+    # 25 a second: 0.15 s for each but the last, which stays for one.
+    assert abs(len(film) - (4 * (FRAMES - 1) + 25)) <= FRAMES
+    assert film[0].min() < 50 and film[0].max() > 250
+    assert abs(film[0].astype(float) - film[-1]).max() > 50
+    page = Page(tmp_path / "report.html")
+    assert page.tags.count("video") == 1 and "img" not in page.tags
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["animation.mp4",
+                                                          "report.html"]
+
+
+def test_run_without_fields(finished, copy, capsys):
+    (copy / "solution.pvd").unlink()
+    assert main([str(copy)]) == 0
+    assert "There are no fields yet" in capsys.readouterr().out
+    assert not (copy / "picture.png").exists()
+    assert Page(copy / "report.html").tags.count("img") == 3
+    assert main([str(copy), "--thumbnail", "0"]) == 1
+    assert "no fields yet" in capsys.readouterr().err
+
+
+def without_packages(tmp_path, *options):
+    """Call the command of a checkout in a Python that has no packages."""
+    scripts = tmp_path / "scripts"
+    scripts.mkdir()
+    shutil.copy(SCRIPTS / "lumbricus-plot", scripts)
+    return subprocess.run(
+        [sys.executable, "-I", "-S", str(scripts / "lumbricus-plot"), *options],
+        capture_output=True, text=True, timeout=60)
+
+
+def test_python_without_packages(tmp_path):
+    process = without_packages(tmp_path, "RUN")
+    assert process.returncode == 1
+    assert process.stderr.count("\n") == 1
+    assert "is missing; run" in process.stderr
+    assert "scripts/set_up_python.sh" in process.stderr
+
+
+def test_python_of_the_environment_is_found(tmp_path):
+    python = tmp_path / ".venv" / "bin" / "python"
+    python.parent.mkdir(parents=True)
+    python.write_text("#!/bin/sh\necho $@\n")
+    python.chmod(0o755)
+    process = without_packages(tmp_path, "RUN", "--mesh")
+    assert process.returncode == 0
+    assert process.stdout == f"{tmp_path}/scripts/lumbricus-plot RUN --mesh\n"
 
 
 def test_help(capsys):
@@ -259,5 +315,6 @@ def test_help(capsys):
         main(["--help"])
     assert end.value.code == 0
     said = capsys.readouterr().out
-    for word in ("RUN_DIR", "--frames", "--fibres", "--mp4", "report.html"):
+    for word in ("RUN_DIR", "--frames", "--fibres", "--mp4", "--mesh", "--only",
+                 "--times", "--thumbnail", "picture.png", "report.html"):
         assert word in said

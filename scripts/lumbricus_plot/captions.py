@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the pictures in a report show."""
+
+
+def animation_caption(times, with_fibres):
+    when = (f"Time t = {times[0]:g}." if len(times) == 1 else
+            f"{len(times)} times from t = {times[0]:g} to t = {times[-1]:g}.")
+    text = (when + " The body is cut open along its axis (a block where it is "
+            "symmetric), the head on the left, at true scale. Liquid is "
+            "coloured by its pressure [N/mm²], muscle by its active "
+            "contraction: by how much [%] the most active fibres want to be "
+            "shorter than at rest. View and colours are the same at all "
+            "times.")
+    if with_fibres:
+        text += (" Green lines are fibres, green dots fibres that go into the "
+                 "body.")
+    return text
+
+
+KYMOGRAPH = (
+    "Segments downwards, the head at the top; time to the right. Length "
+    "relative to rest [-]: red is shorter, blue longer.")
+PRESSURE = " Pressure of the liquid [N/mm²], positive in compression."
+ACTIVATION = (
+    " Activation: for every muscle the mean active stretch [-] over the cells "
+    "of a segment that have its fibres, at the times that have fields; less "
+    "than 1 (dark) is a contraction, grey a segment without that muscle.")
+SEGMENTS = (
+    "Length [mm] and radius in the middle [mm], pressure [N/mm²] and relative "
+    "change of the volume [-] of the liquid (of the wall where there is none) "
+    "in every segment against time.")
+CONVERGENCE = (
+    "Top: how often liquid was reset, in any segment, in each load step with "
+    "the adaptations that follow it, and how often a step was cut. Middle: the "
+    "largest divergence η [-] from the hydrostatic state of all segments, "
+    "after every solve; where a segment is above the tolerance it is reset "
+    "and all is solved again. Bottom: residuals and increments [-] of Newton's "
+    "method, a line for every solve, coloured by its load step. The residuals "
+    "of a solve have to come below their tolerances; of the increment, what is "
+    "estimated to be still to come has to, so that lines may end above it. "
+    "Dashed lines are the tolerances of this run.")

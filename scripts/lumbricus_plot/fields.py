@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The fields of a run: quadratic hexahedra with 27 nodes each, which no two
+cells share. pyvista reads them; here is what their nodes are."""
+
+import pathlib
+import warnings
+
+import numpy as np
+import pyvista
+
+N_NODES = 27
+MIDDLE = 26  # the last node
+# Simpson's rule: corners, edges, faces, middle.
+MEAN_WEIGHTS = np.repeat([1, 4, 16, 64], [8, 12, 6, 1]) / 216
+
+# Faces as VTK's biquadratic quadrilaterals with the normal outwards: corners,
+# the edges between them, the middle.
+FACES = np.array([[0, 4, 7, 3, 16, 15, 19, 11, 20],
+                  [1, 2, 6, 5, 9, 18, 13, 17, 21],
+                  [0, 1, 5, 4, 8, 17, 12, 16, 22],
+                  [3, 7, 6, 2, 19, 14, 18, 10, 23],
+                  [0, 3, 2, 1, 11, 10, 9, 8, 24],
+                  [4, 5, 6, 7, 12, 13, 14, 15, 25]])
+EDGES_OF_FACE = np.array([[0, 4, 1], [1, 5, 2], [2, 6, 3], [3, 7, 0]])
+
+# A mirrored cell is right-handed when its nodes are counted in this order.
+MIRRORED = np.array([1, 0, 3, 2, 5, 4, 7, 6, 8, 11, 10, 9, 12, 15, 14, 13,
+                     17, 16, 19, 18, 21, 20, 22, 23, 24, 25, 26])
+
+
+def read_series(folder):
+    """(time, PVTU file) of all times in solution.pvd."""
+    folder = pathlib.Path(folder)
+    reader = pyvista.get_reader(str(folder / "solution.pvd"))
+    return [(data_set.time, folder / data_set.path)
+            for data_set in reader.datasets]
+
+
+def read_grid(pvtu_file):
+    """All cells of all ranks at one time; the points are those at rest."""
+    # A missing piece would only be a warning; here it is an error, said once.
+    with (pyvista.VtkErrorCatcher(raise_errors=True, send_to_logging=False),
+          warnings.catch_warnings()):
+        warnings.simplefilter("ignore")
+        grid = pyvista.read(pvtu_file)
+    if grid.n_cells == 0 or grid.n_points != N_NODES * grid.n_cells:
+        raise ValueError("it has no cells of 27 points")
+    return grid
+
+
+def nodes_of_cells(grid):
+    """Numbers of points [cell, node]."""
+    return grid.cell_connectivity.reshape(-1, N_NODES)
+
+
+def grid_of(points, nodes, fields):
+    """A grid of cells with nodes [cell, node], of 27 nodes hexahedra, of 9
+    quadrilaterals, with the points and fields of these cells only."""
+    kind = {N_NODES: pyvista.CellType.LAGRANGE_HEXAHEDRON,
+            9: pyvista.CellType.BIQUADRATIC_QUAD}[nodes.shape[1]]
+    used = nodes.ravel()
+    grid = pyvista.UnstructuredGrid(
+        {kind: np.arange(len(used)).reshape(nodes.shape)}, points[used])
+    for name, values in fields.items():
+        grid.point_data[name] = values[used]
+    return grid
+
+
+def place_keys(points, size):
+    """An integer for every place, the same for the same place in two cells of
+    a body of that size."""
+    lattice = np.floor(points / size * 1e4 + 0.4142).astype(np.int64)
+    return lattice @ np.array([1 << 40, 1 << 20, 1])
+
+
+def have_no_partner(keys, parts):
+    """Whether a thing with its middle at keys[i], whose parts have theirs at
+    parts[i], is nothing else's equal, part or whole. Where the mesh is refined,
+    cells have parts of others as neighbours."""
+    _, index, count = np.unique(keys, return_inverse=True, return_counts=True)
+    return ((count[index] == 1) & ~np.isin(keys, parts)
+            & ~np.isin(parts, keys).any(axis=1))

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Length, radius, pressure and volume of the segments against time."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from .figures import INCHES, cell_borders, save
+
+MOST_LINES = 2  # more segments are drawn as rows of colour
+
+
+def panels(run):
+    """(title, values [time, segment], colours, zero in the middle or not)"""
+    volume = run.field("fluid_volume" if run.has_liquid else "wall_volume")
+    return [
+        ("length [mm]", run.field("length"), "viridis", False),
+        ("radius in the middle [mm]", run.field("mid_radius"), "viridis",
+         False),
+        ("pressure of the liquid [N/mm$^2$]", run.field("fluid_pressure"),
+         "YlGnBu", False),
+        (("liquid" if run.has_liquid else "wall") + ": $V/V_0 - 1$",
+         volume / volume[0] - 1, "RdBu_r", True)]
+
+
+def largest(values):
+    """What is less than 1e-12 is round-off."""
+    return max(np.abs(values).max(), 1e-12)
+
+
+def draw_lines(axes, run, values, symmetric):
+    for segment, curve in zip(run.segment_numbers, values.T):
+        axes.plot(run.times, curve, ".-", linewidth=1, markersize=4,
+                  label=f"segment {segment}")
+    if symmetric:
+        axes.set_ylim(-largest(values), largest(values))
+    axes.ticklabel_format(axis="y", useOffset=False, scilimits=(-3, 4))
+    axes.grid(linewidth=0.3)
+    if run.n_segments > 1:
+        axes.legend(fontsize=7)
+
+
+def draw_rows(axes, run, values, colours, symmetric):
+    numbers = run.segment_numbers
+    limits = ({"vmin": -largest(values), "vmax": largest(values)}
+              if symmetric else {})
+    mesh = axes.pcolormesh(cell_borders(run.times),
+                           np.arange(numbers[0], numbers[-1] + 2) - 0.5,
+                           values.T, cmap=colours, **limits)
+    axes.invert_yaxis()
+    axes.set_ylabel("segment", fontsize=8)
+    axes.set_yticks(numbers[::max(1, len(numbers) // 10)])
+    bar = axes.figure.colorbar(mesh, ax=axes, pad=0.02)
+    bar.formatter.set_powerlimits((-3, 4))
+    bar.ax.tick_params(labelsize=7)
+    bar.ax.yaxis.get_offset_text().set_fontsize(7)
+
+
+def draw_segments(run, file_name):
+    figure, grid = plt.subplots(2, 2, figsize=(INCHES, 4.6), sharex=True,
+                                layout="constrained")
+    for axes, (title, values, colours, symmetric) in zip(grid.flat,
+                                                         panels(run)):
+        if run.n_segments > MOST_LINES:
+            draw_rows(axes, run, values, colours, symmetric)
+        else:
+            draw_lines(axes, run, values, symmetric)
+        axes.set_title(title, fontsize=9)
+        axes.tick_params(labelsize=7)
+        axes.yaxis.get_offset_text().set_fontsize(7)
+    for axes in grid[1]:
+        axes.set_xlabel("time", fontsize=8)
+    figure.suptitle(run.figure_title(), fontsize=11)
+    save(figure, file_name)
