@@ -48,18 +48,21 @@ namespace lumbricus
   class Name : public dealii::Patterns::PatternBase
   {
   public:
+    /** Whether @p text is one: not empty, and without a slash. */
     bool
     match(const std::string &text) const override
     {
       return !text.empty() && text.find('/') == std::string::npos;
     }
 
+    /** "[Name]", as deal.II's messages have it. */
     std::string
     description(const OutputStyle /*style*/ = Machine) const override
     {
       return "[Name]";
     }
 
+    /** A copy, as dealii::ParameterHandler keeps it. */
     std::unique_ptr<PatternBase>
     clone() const override
     {

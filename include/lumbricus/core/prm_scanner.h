@@ -28,8 +28,8 @@ namespace lumbricus
   /** A line that is none of a parameter file, and what is wrong with it. */
   struct PrmMistake
   {
-    unsigned int line = 0;
-    std::string  what;
+    unsigned int line = 0; ///< from 1; 0 where there is no mistake
+    std::string  what;     ///< in words
   };
 
   /** The first there is; its line is 0 where there is none. */

@@ -61,6 +61,7 @@ namespace lumbricus
           const Anatomy       &anatomy,
           dealii::TimerOutput &timer) const;
 
+    /** Call @p new_listener after every solve. */
     void
     report_to(const Listener &new_listener);
 
