@@ -41,9 +41,6 @@ namespace lumbricus
   void
   RunWatch::begin_step(const unsigned int number, const double to)
   {
-    // A step that is cut begins again.
-    if (number != step)
-      reached = step == 0 ? start_time : next_time;
     step         = number;
     next_time    = to;
     n_resets     = 0;
@@ -60,6 +57,7 @@ namespace lumbricus
   void
   RunWatch::end_step(const StepRecord &record)
   {
+    reached               = record.time;
     const auto &qualities = record.reports().back()->solves.back().qualities;
     for (unsigned int s = 0; s < qualities.size(); ++s)
       if (qualities[s].wall <= 0. && folded.insert(s).second)

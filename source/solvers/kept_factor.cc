@@ -5,8 +5,7 @@
 
 namespace lumbricus
 {
-  /** A kept factorisation of the condensed tangent, more accurate where the
-   * fastest does not do. */
+  /** A kept factorisation, a more robust one where the fastest does not do. */
   class KeptFactor : public KeptPreconditioner
   {
     InverseKind
