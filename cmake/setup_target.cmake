@@ -6,7 +6,8 @@ function(lumbricus_setup_target target)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
   if(NOT LUMBRICUS_DEBUG_INFO)
-    # deal.II's flags have -g; the last one counts.
-    set_property(TARGET ${target} APPEND_STRING PROPERTY COMPILE_FLAGS " -g0")
+    # The last -g counts. deal.II's is among the options, which follow the
+    # flags of the target: so must this one.
+    target_compile_options(${target} PRIVATE -g0)
   endif()
 endfunction()
