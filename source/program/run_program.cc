@@ -17,7 +17,10 @@ namespace lumbricus
   run_program(int argc, char *argv[])
   {
     prepare_blas(argv);
+    watch_for_interruption();
     dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    // PETSc leaves none of them.
+    watch_for_interruption();
 
     const MPI_Comm comm  = MPI_COMM_WORLD;
     const bool     first = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
@@ -43,7 +46,7 @@ namespace lumbricus
               ParameterFile::print_reference(parameters, std::cout);
             return ExitCode::done;
           }
-        watch_for_interruption();
+        ignore_closed_output();
         run(command_line, comm);
         return ExitCode::done;
       }

@@ -2,6 +2,8 @@
 #ifndef lumbricus_core_log_h
 #define lumbricus_core_log_h
 
+#include <lumbricus/core/interruption.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <unistd.h>
@@ -57,12 +59,21 @@ namespace lumbricus
           if (on_terminal)
             {
               progress("");
-              std::cout << text.str() << std::flush;
+              say(text.str());
             }
           if (file.is_open())
             file << text.str() << std::flush;
         }
       return *this;
+    }
+
+    /** Write @p message to the file only: the terminal has it from what is
+     * thrown with it, which ends the run. */
+    void
+    note(const std::string &message)
+    {
+      if (active && file.is_open())
+        file << message << std::flush;
     }
 
     /** Say @p line where details are wanted (--verbose). */
@@ -81,11 +92,23 @@ namespace lumbricus
       if (!shows_progress || line == shown)
         return;
       // Back to the first column, and clear the line.
-      std::cout << "\r\033[K" << line << std::flush;
+      say("\r\033[K" + line);
       shown = line;
     }
 
   private:
+    /** Write to the standard output. Where nobody reads it any more that is
+     * noted; where it cannot be written otherwise (a full disk) the file has
+     * all of it. */
+    static void
+    say(const std::string &text)
+    {
+      errno = 0;
+      if (!(std::cout << text << std::flush) && errno == EPIPE)
+        note_closed_output();
+      std::cout.clear();
+    }
+
     /** Whether standard output is a terminal. Under mpirun it always looks like
      * one, wherever that writes to. */
     static bool
