@@ -6,13 +6,17 @@
 #include <lumbricus/core/patterns.h>
 #include <lumbricus/core/prm_scanner.h>
 
+#include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
+
+#include <boost/property_tree/json_parser.hpp>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <regex>
 #include <set>
@@ -232,6 +236,30 @@ namespace lumbricus
     for (unsigned int i = 0; i < path.size(); ++i)
       text += "end\n";
     sources.push_back({"--set '" + setting + "'", text, false});
+  }
+
+
+
+  void
+  ParameterFile::take_resolved(const std::string &file_name,
+                               const std::string &text)
+  {
+    AssertThrow(is_text(text),
+                ExcInput("The parameter file '" + file_name +
+                         "' is not plain text."));
+    sources.push_back({file_name, text, true});
+  }
+
+
+
+  std::string
+  ParameterFile::path_of_setting(const std::string &setting)
+  {
+    std::string path;
+    for (const std::string &name :
+         split_path(setting.substr(0, setting.find('='))))
+      path += (path.empty() ? "" : "/") + name;
+    return path;
   }
 
 
@@ -483,6 +511,47 @@ namespace lumbricus
   ParameterFile::print_resolved(std::ostream &out)
   {
     prm.print_parameters(out, short_style);
+  }
+
+
+
+  std::vector<InputFile>
+  ParameterFile::input_files() const
+  {
+    // The way to the patterns of parameters.
+    std::stringstream json;
+    prm.print_parameters(json,
+                         dealii::ParameterHandler::JSON |
+                           dealii::ParameterHandler::KeepDeclarationOrder);
+    using Tree = boost::property_tree::ptree;
+    Tree all;
+    boost::property_tree::read_json(json, all);
+
+    std::vector<InputFile>           files;
+    const dealii::Patterns::FileName one;
+    const std::function<void(const Tree &, const std::string &)> look =
+      [&](const Tree &tree, const std::string &path) {
+        const auto pattern =
+          tree.get_optional<std::string>("pattern_description");
+        if (!pattern)
+          {
+            for (const auto &below : tree)
+              look(below.second,
+                   path.empty() ? below.first : path + "/" + below.first);
+            return;
+          }
+        if (pattern->find(one.description()) == std::string::npos)
+          return;
+        const auto value = tree.get<std::string>("value");
+        const auto names = *pattern == one.description() ?
+                             std::vector<std::string>{value} :
+                             dealii::Utilities::split_string_list(value);
+        for (const std::string &name : names)
+          if (!name.empty())
+            files.push_back(look_at_input_file(path, name));
+      };
+    look(all, "");
+    return files;
   }
 
 

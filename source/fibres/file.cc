@@ -112,7 +112,8 @@ namespace lumbricus
                       "point of the file, so give the centres of all cells of "
                       "the muscle. The first line may be 'x, y, z, fx, fy, "
                       "fz'; what follows a # is left out. A relative path "
-                      "starts at the working directory.");
+                      "starts at the working directory.",
+                      dealii::Patterns::FileName());
     prm.add_parameter("Reach",
                       given_reach,
                       "[mm] How far from the nearest point of the file there "

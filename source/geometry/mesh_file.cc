@@ -108,7 +108,8 @@ namespace lumbricus
                       "'symmetry y' and 'symmetry z' make it a plane of mirror "
                       "symmetry. What is in no physical surface is the "
                       "boundary 'free'. The axis of the body has to be the x "
-                      "axis.");
+                      "axis.",
+                      dealii::Patterns::FileName());
     const dealii::Patterns::Anything anything;
     const dealii::Patterns::List     names(anything);
     prm.add_parameter("Liquid tissues",

@@ -68,7 +68,7 @@ namespace lumbricus
 
 
   Probes::Probes(const std::vector<dealii::Point<dim>> &points,
-                 const RunFolder                       &folder,
+                 RunFolder                             &folder,
                  const MixedSpace                      &space,
                  const CellFields                      &cell_fields)
     : points(points)

@@ -22,7 +22,7 @@ namespace lumbricus
 
 
 
-  Results::Results(const RunFolder                       &folder,
+  Results::Results(RunFolder                             &folder,
                    const MixedSpace                      &space,
                    const ShapeCache                      &shapes,
                    const Anatomy                         &anatomy,
@@ -160,7 +160,7 @@ namespace lumbricus
     for (const CsvTable *table :
          {&segments, &resets, &steps, &newton, &mesh, probes.csv_table()})
       if (table != nullptr)
-        progress.table_sizes.insert(table->name_and_size());
+        progress.tables.insert(table->name_and_content());
     progress.vtu_files      = vtu.files();
     progress.vtu_is_current = vtu_is_current;
   }

@@ -2,19 +2,63 @@
 #include <lumbricus/output/vtu_series.h>
 
 #include <deal.II/base/data_out_base.h>
+#include <deal.II/base/utilities.h>
 #include <deal.II/numerics/data_out.h>
+
+#include <optional>
+#include <regex>
 
 namespace lumbricus
 {
-  namespace Interpretation = dealii::DataComponentInterpretation;
+  namespace
+  {
+    const std::string sub_folder  = "vtu";
+    const std::string series_name = "solution.pvd";
 
-  VtuSeries::VtuSeries(const RunFolder  &folder,
+    // The name of picture @p number without its ending.
+    std::string
+    base_name(const unsigned int number)
+    {
+      return "solution_" + dealii::Utilities::to_string(number, 5);
+    }
+
+
+
+    // The picture that a file in the folder of pictures belongs to.
+    std::optional<unsigned int>
+    number_of(const std::string &name)
+    {
+      static const std::regex form(
+        "solution_([0-9]{5,9})\\.(?:[0-9]{1,9}\\.vtu|pvtu)");
+      std::smatch parts;
+      if (name.size() > 40 || !std::regex_match(name, parts, form))
+        return {};
+      return std::stoul(parts[1]);
+    }
+  } // namespace
+
+
+
+  VtuSeries::VtuSeries(RunFolder        &folder,
                        const MixedSpace &space,
                        const Anatomy    &anatomy)
     : folder(folder)
     , space(space)
     , anatomy(anatomy)
-  {}
+  {
+    folder.claim(series_name);
+    folder.claim_folder(sub_folder, [](const std::string &name) {
+      return number_of(name).has_value();
+    });
+  }
+
+
+
+  std::string
+  VtuSeries::file_name(const unsigned int number)
+  {
+    return sub_folder + "/" + base_name(number) + ".pvtu";
+  }
 
 
 
@@ -31,6 +75,12 @@ namespace lumbricus
     const std::vector<std::pair<double, std::string>> &files)
   {
     times_and_names = files;
+    folder.on_first_rank([&]() {
+      folder.remove(sub_folder, [&](const std::string &name) {
+        const auto number = number_of(name);
+        return number && *number >= files.size();
+      });
+    });
   }
 
 
@@ -72,27 +122,29 @@ namespace lumbricus
                            MixedSpace::degree,
                            dealii::DataOut<dim>::curved_inner_cells);
 
-    const std::string base =
-      "vtu/solution_" +
-      dealii::Utilities::int_to_string(times_and_names.size(), 5);
-    const auto piece = [&](const unsigned int r) {
-      return base + "." + std::to_string(r) + ".vtu";
-    };
-    folder.write_collectively(piece(rank), true, [&](std::ostream &out) {
-      data_out.write_vtu(out);
+    const unsigned int       number = times_and_names.size();
+    const std::string        whole  = file_name(number);
+    std::vector<std::string> pieces;
+    for (unsigned int r = 0; r < n_ranks; ++r)
+      pieces.push_back(base_name(number) + "." + std::to_string(r) + ".vtu");
+    folder.on_first_rank([&]() {
+      std::vector<std::string> names = {whole};
+      for (const std::string &piece : pieces)
+        names.push_back(sub_folder + "/" + piece);
+      folder.record().add_files(names);
     });
-
-    times_and_names.emplace_back(state.time, base + ".pvtu");
-    folder.write_collectively(base + ".pvtu",
-                              rank == 0,
+    folder.write_collectively(sub_folder + "/" + pieces[rank],
+                              true,
                               [&](std::ostream &out) {
-                                std::vector<std::string> pieces;
-                                for (unsigned int r = 0; r < n_ranks; ++r)
-                                  pieces.push_back(piece(r).substr(4));
-                                data_out.write_pvtu_record(out, pieces);
+                                data_out.write_vtu(out);
                               });
+
+    times_and_names.emplace_back(state.time, whole);
+    folder.write_collectively(whole, rank == 0, [&](std::ostream &out) {
+      data_out.write_pvtu_record(out, pieces);
+    });
     folder.write_collectively(
-      "solution.pvd", rank == 0, [&](std::ostream &out) {
+      series_name, rank == 0, [&](std::ostream &out) {
         dealii::DataOutBase::write_pvd_record(out, times_and_names);
       });
   }

@@ -54,27 +54,39 @@ namespace lumbricus
 
 
   void
-  ChainProblem::run(RunFolder         &folder,
-                    const std::string &resolved_parameters,
-                    const Checkpoint  *checkpoint)
+  ChainProblem::prepare(RunFolder &folder, const Checkpoint *checkpoint)
   {
     if (checkpoint != nullptr)
-      folder.continue_tables(checkpoint->progress().table_sizes);
-    Results    results(folder,
-                    model.space,
-                    model.shapes,
-                    parameters.anatomy,
-                    model.references,
-                    parameters.probe_points.points(),
-                    parameters.output_every);
-    State      state = model.space.initial_state();
+      {
+        first_state = checkpoint->read_state(model.space);
+        folder.continue_tables(checkpoint->progress().tables);
+      }
+    else
+      first_state = model.space.initial_state();
+    results = std::make_unique<Results>(folder,
+                                        model.space,
+                                        model.shapes,
+                                        parameters.anatomy,
+                                        model.references,
+                                        parameters.probe_points.points(),
+                                        parameters.output_every);
+  }
+
+
+
+  void
+  ChainProblem::run(RunFolder        &folder,
+                    const RunRequest &request,
+                    const Checkpoint *checkpoint)
+  {
+    State      state = first_state;
     StepRecord step;
     if (checkpoint != nullptr)
-      go_on_from(*checkpoint, state, step, results);
+      go_on_from(*checkpoint, state, step);
     model.references.update(state);
     parameters.predictor.restart(state);
     if (checkpoint == nullptr)
-      results.write(state, step);
+      results->write(state, step);
     begun = true;
 
     const auto save = [&]() {
@@ -83,18 +95,19 @@ namespace lumbricus
                        model.triangulation,
                        model.space,
                        state,
-                       progress(state, step, results),
-                       resolved_parameters);
+                       progress(state, step),
+                       request);
       parameters.checkpoint_schedule.written();
     };
 
     std::string trouble;
     try
       {
-        take_steps(state, step, results, save);
+        take_steps(state, step, save);
       }
     catch (const ExcInterrupted &exception)
       {
+        log.note("\n" + plain_message(exception) + "\n");
         save();
         log_where_time_went();
         AssertThrow(false,
@@ -111,14 +124,17 @@ namespace lumbricus
 
     // The last good state is what the run leaves.
     model.references.update(state);
-    results.write_last(state);
+    results->write_last(state);
     if (parameters.checkpoint_schedule.any())
       save_or_say(save);
     log_where_time_went();
     std::ostringstream last_state;
     last_state << "\nThe last good state, at time " << state.time << ", is in '"
                << folder.path() << "'.";
-    AssertThrow(trouble.empty(), ExcSolveFailed(trouble + last_state.str()));
+    if (trouble.empty())
+      return;
+    log.note("\n" + trouble + last_state.str() + "\n");
+    AssertThrow(false, ExcSolveFailed(trouble + last_state.str()));
   }
 
 
@@ -134,7 +150,6 @@ namespace lumbricus
   void
   ChainProblem::take_steps(State                       &state,
                            StepRecord                  &step,
-                           Results                     &results,
                            const std::function<void()> &save)
   {
     log_header(log);
@@ -145,7 +160,7 @@ namespace lumbricus
         State       next   = state;
         StepRecord  record = advance(next, step.number + 1);
         if (parameters.adaptivity.due(record.number))
-          adapt(next, record, results);
+          adapt(next, record);
         record.softest_stiffness =
           parameters.stability_watch.look(model, next, log);
         charge(record, before);
@@ -158,7 +173,7 @@ namespace lumbricus
         watch.end_step(step);
         {
           dealii::TimerOutput::Scope scope(timer, "output");
-          results.write(state, step);
+          results->write(state, step);
         }
         if (parameters.checkpoint_schedule.due(step.number, comm))
           {
@@ -201,16 +216,14 @@ namespace lumbricus
 
 
   RunProgress
-  ChainProblem::progress(const State      &state,
-                         const StepRecord &step,
-                         const Results    &results) const
+  ChainProblem::progress(const State &state, const StepRecord &step) const
   {
     RunProgress progress;
     progress.time            = state.time;
     progress.step            = step.number;
     progress.step_size       = parameters.load_stepping.step();
     progress.elapsed_seconds = step.elapsed_seconds;
-    results.note(progress);
+    results->note(progress);
     return progress;
   }
 
@@ -218,17 +231,15 @@ namespace lumbricus
 
   void
   ChainProblem::go_on_from(const Checkpoint &checkpoint,
-                           State            &state,
-                           StepRecord       &step,
-                           Results          &results)
+                           const State      &state,
+                           StepRecord       &step)
   {
     const RunProgress &progress = checkpoint.progress();
-    state                       = checkpoint.read_state(model.space);
     step.number                 = progress.step;
     step.elapsed_seconds        = progress.elapsed_seconds;
     seconds_before_restart      = progress.elapsed_seconds;
     parameters.load_stepping.set_step(progress.step_size);
-    results.continue_after(progress);
+    results->continue_after(progress);
     log << "Going on from time " << state.time << ", after step " << step.number
         << ".\n";
   }
@@ -291,7 +302,7 @@ namespace lumbricus
 
 
   void
-  ChainProblem::adapt(State &state, StepRecord &step, Results &results)
+  ChainProblem::adapt(State &state, StepRecord &step)
   {
     bool any = false;
     for (unsigned int i = 0; i < parameters.adaptivity.n_cycles(); ++i)
@@ -305,7 +316,7 @@ namespace lumbricus
       }
     if (!any)
       return;
-    results.reinit();
+    results->reinit();
     parameters.predictor.restart(state);
   }
 

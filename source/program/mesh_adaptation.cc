@@ -39,12 +39,13 @@ namespace lumbricus
         state      = model.space.initial_state();
         state.time = time;
         // Cells may have come to other ranks.
+        CellReader reader(model.space);
         for (const std::string &of_rank :
              dealii::Utilities::MPI::all_gather(model.space.communicator(),
                                                 cells))
           {
             std::istringstream in(of_rank);
-            read_cells(model.space, in, state);
+            reader.read(in, state);
           }
         state.compress();
       }

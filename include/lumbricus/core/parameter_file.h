@@ -2,6 +2,7 @@
 #ifndef lumbricus_core_parameter_file_h
 #define lumbricus_core_parameter_file_h
 
+#include <lumbricus/core/input_file.h>
 #include <lumbricus/core/parameter_owner.h>
 #include <lumbricus/core/prm_scanner.h>
 
@@ -30,6 +31,11 @@ namespace lumbricus
     void
     read(const std::string &file_name);
 
+    /** Take @p text, which print_resolved() wrote to a file of this name: it
+     * includes nothing. */
+    void
+    take_resolved(const std::string &file_name, const std::string &text);
+
     /** Take a setting "Section/Subsection/Name=value". Throws ExcInput. */
     void
     set(const std::string &setting);
@@ -47,6 +53,15 @@ namespace lumbricus
     /** All parameters with the values of this run, to run it again. */
     void
     print_resolved(std::ostream &out);
+
+    /** The files that the parameters name, as they are now: those with the
+     * pattern dealii::Patterns::FileName(), or a list of it, that are set. */
+    std::vector<InputFile>
+    input_files() const;
+
+    /** The path of the parameter that a setting is of: "Section/Name". */
+    static std::string
+    path_of_setting(const std::string &setting);
 
     /** All parameters there are, with documentation; @p root is fresh. */
     static void

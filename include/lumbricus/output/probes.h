@@ -36,7 +36,7 @@ namespace lumbricus
   public:
     /** Find the cells; the points have to pass check(). Collective. */
     Probes(const std::vector<dealii::Point<dim>> &points,
-           const RunFolder                       &folder,
+           RunFolder                             &folder,
            const MixedSpace                      &space,
            const CellFields                      &cell_fields);
 

@@ -24,11 +24,12 @@ namespace lumbricus
   {
   public:
     /**
-     * Start the tables in @p folder, or go on with them; VTU files follow every
-     * @p vtu_every steps, 0 for the last only. Throws ExcInput for a probe
-     * point outside the body. Collective.
+     * Claim tables and pictures in @p folder, before RunFolder::begin(); VTU
+     * files follow every @p vtu_every steps, 0 for the last only. Throws
+     * ExcInput for a probe point outside the body, and for files in the folder
+     * that no run has written. Collective.
      */
-    Results(const RunFolder                       &folder,
+    Results(RunFolder                             &folder,
             const MixedSpace                      &space,
             const ShapeCache                      &shapes,
             const Anatomy                         &anatomy,
@@ -53,7 +54,8 @@ namespace lumbricus
     void
     note(RunProgress &progress) const;
 
-    /** Go on where @p progress was noted. */
+    /** Go on where @p progress was noted; pictures of what came after are
+     * removed. After RunFolder::begin(). Collective. */
     void
     continue_after(const RunProgress &progress);
 

@@ -10,6 +10,8 @@
 
 #include <deal.II/base/timer.h>
 
+#include <memory>
+
 namespace lumbricus
 {
   /**
@@ -32,15 +34,24 @@ namespace lumbricus
     describe();
 
     /**
-     * Compute the run, from @p checkpoint on where there is one, and write its
-     * results to @p folder; @p resolved_parameters are for its checkpoints.
-     * Throws ExcSolveFailed and ExcInterrupted, with the last good state on
-     * disk.
+     * Read the state of @p checkpoint, where there is one, and find out whether
+     * results can be written to @p folder, which is kept by reference, and
+     * whether those up to the checkpoint are as they were. Throws ExcInput.
+     * After setup() and before RunFolder::begin(). Collective.
      */
     void
-    run(RunFolder         &folder,
-        const std::string &resolved_parameters,
-        const Checkpoint  *checkpoint);
+    prepare(RunFolder &folder, const Checkpoint *checkpoint);
+
+    /**
+     * Compute the run, from @p checkpoint on where there is one, and write its
+     * results to @p folder; @p request is for its checkpoints. All of these are
+     * those of prepare(). After RunFolder::begin(). Throws ExcSolveFailed and
+     * ExcInterrupted, with the last good state on disk.
+     */
+    void
+    run(RunFolder        &folder,
+        const RunRequest &request,
+        const Checkpoint *checkpoint);
 
     /** Whether there is a state on disk that run() would leave as the last good
      * one. */
@@ -52,7 +63,6 @@ namespace lumbricus
     void
     take_steps(State                       &state,
                StepRecord                  &step,
-               Results                     &results,
                const std::function<void()> &save);
 
     /** Save, and where that is not possible say so and go on. */
@@ -61,16 +71,13 @@ namespace lumbricus
 
     /** @return what to remember besides the state. */
     RunProgress
-    progress(const State      &state,
-             const StepRecord &step,
-             const Results    &results) const;
+    progress(const State &state, const StepRecord &step) const;
 
-    /** Go on from a checkpoint. */
+    /** Go on from a checkpoint, whose state is @p state. */
     void
     go_on_from(const Checkpoint &checkpoint,
-               State            &state,
-               StepRecord       &step,
-               Results          &results);
+               const State      &state,
+               StepRecord       &step);
 
     /** Take load step @p number, as long as converges. Throws ExcSolveFailed.
      */
@@ -79,7 +86,7 @@ namespace lumbricus
 
     /** Adapt the mesh to @p state, which has converged. */
     void
-    adapt(State &state, StepRecord &step, Results &results);
+    adapt(State &state, StepRecord &step);
 
     void
     log_where_time_went();
@@ -103,12 +110,14 @@ namespace lumbricus
     Log           &log;
     const MPI_Comm comm;
 
-    dealii::Timer       run_timer;
-    double              seconds_before_restart = 0.;
-    dealii::TimerOutput timer;
-    ChainModel          model;
-    RunWatch            watch;
-    bool                begun = false;
+    dealii::Timer            run_timer;
+    double                   seconds_before_restart = 0.;
+    dealii::TimerOutput      timer;
+    ChainModel               model;
+    RunWatch                 watch;
+    std::unique_ptr<Results> results;
+    State                    first_state; ///< of this part of the run
+    bool                     begun = false;
   };
 } // namespace lumbricus
 
