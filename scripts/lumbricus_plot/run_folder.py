@@ -170,6 +170,18 @@ class RunFolder:
                             f"program writes it ({reason}); bring the files "
                             "back, or run the case again.") from error
 
+    def record(self, names):
+        """Note in lumbricus.run what was drawn here, so that a fresh start of
+        the run removes it with the rest."""
+        file_name = self.path / "lumbricus.run"
+        if not file_name.exists():
+            return
+        known = read_text(file_name).splitlines()
+        lines = [f"file {name}\n" for name in names
+                 if f"file {name}" not in known]
+        with open(file_name, "a", encoding="utf-8") as file:
+            file.write("".join(lines))
+
     def number(self, name):
         """A parameter as a number, None where there is none."""
         try:
