@@ -57,7 +57,7 @@ namespace lumbricus
   /** A process that holds a lock: what its file says. */
   struct LockHolder
   {
-    std::string host;
+    std::string host;    ///< the name of the machine
     std::string boot;    ///< the kernel's id of the time since it was started
     std::string process; ///< its number
     std::string start;   ///< when it was started [ticks since the boot]
