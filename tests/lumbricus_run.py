@@ -59,3 +59,19 @@ def run_well(*arguments, **keywords):
     result = run(*arguments, **keywords)
     assert result.exit_code == 0, result.log + result.message
     return result
+
+
+def outline(text):
+    """The value of each parameter of a file, by its full name."""
+    values, sections = {}, []
+    for line in text.splitlines():
+        line = line.split("#")[0].strip()
+        if line.startswith("subsection "):
+            sections.append(line[len("subsection "):])
+        elif line == "end":
+            sections.pop()
+        elif line.startswith("set "):
+            name, value = line[len("set "):].split("=", 1)
+            values["/".join([*sections, name.strip()])] = value.strip()
+    assert not sections
+    return values

@@ -10,6 +10,7 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 
 from .body import Body
+from .captions import no_formula
 from .fields import read_grid, read_series
 from .tables import read_parameters, read_table
 
@@ -179,7 +180,7 @@ class RunFolder:
 
     def figure_title(self):
         """In which Matplotlib sees no formula."""
-        return self.title.replace("$", r"\$")
+        return no_formula(self.title)
 
     def versions(self):
         """The first lines of the log, and of what restarts added to it."""

@@ -59,7 +59,27 @@ namespace lumbricus
     within_section("Geometry", [&]() { geometry_choice.check_parameters(); });
     within_section("Tissues", [&]() { tissues.check_parameters(); });
     within_section("Muscles", [&]() { muscles.check_parameters(); });
+    check_field_names();
     check_liquids();
+  }
+
+
+
+  void
+  Anatomy::check_field_names() const
+  {
+    std::map<std::string, std::string> muscle_of_field;
+    for (std::size_t i = 0; i < muscles.size(); ++i)
+      {
+        const std::string &name  = muscles[i].name();
+        const std::string  field = muscles[i].field_name();
+        const auto other = muscle_of_field.insert({field, name}).first->second;
+        AssertThrow(other == name,
+                    ExcParameter("Muscles/" + name,
+                                 "has the fields of 'Muscles/" + other +
+                                   "' in the VTU files, where both are '" +
+                                   field + "'. Rename one of the muscles."));
+      }
   }
 
 

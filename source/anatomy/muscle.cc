@@ -3,6 +3,7 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/expression.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -70,6 +71,16 @@ namespace lumbricus
   Muscle::name() const
   {
     return muscle_name;
+  }
+
+
+
+  std::string
+  Muscle::field_name() const
+  {
+    std::string name = muscle_name;
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
   }
 
 

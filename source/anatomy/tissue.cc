@@ -20,7 +20,7 @@ namespace lumbricus
                       muscle_names,
                       "The muscles whose fibres run in this tissue, each a "
                       "section in Muscles; empty for a passive tissue.",
-                      dealii::Patterns::List(Name()));
+                      NameList());
   }
 
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/expression.h>
+#include <lumbricus/core/input_limits.h>
+#include <lumbricus/core/user_text.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -94,9 +96,14 @@ namespace lumbricus
     std::map<std::string, double> constants = user_constants;
     constants["pi"]                         = dealii::numbers::PI;
 
-    std::string reason = misunderstanding(formula);
+    std::string reason;
+    if (formula.size() > InputLimits::formula)
+      reason = "it has more than " + std::to_string(InputLimits::formula) +
+               " characters.";
+    else
+      reason = misunderstanding(formula);
     if (!reason.empty())
-      ; // muParser would not mind
+      ; // muParser would not mind, or not come to an end
     else if (formula.find_first_not_of(" \t") == std::string::npos)
       reason = "it is empty.";
     else
@@ -114,8 +121,8 @@ namespace lumbricus
         }
     AssertThrow(reason.empty(),
                 ExcInput(
-                  "Parameter '" + name + "': the expression '" + formula +
-                  "' cannot be read: " + reason + "\nIt may use " +
+                  "Parameter '" + name + "': the expression '" +
+                  shortened(formula) + "' cannot be read: " + shortened(reason, 300) + "\nIt may use " +
                   known_symbols(constants) +
                   " and the functions of muParser (sin, exp, if, min, ...)."));
   }

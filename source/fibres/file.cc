@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/expression.h>
+#include <lumbricus/core/input_file.h>
 #include <lumbricus/core/registry.h>
+#include <lumbricus/core/user_text.h>
 #include <lumbricus/fibres/fibre_field.h>
 
 #include <deal.II/base/patterns.h>
@@ -10,8 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -37,16 +37,6 @@ namespace lumbricus
       for (std::string word; in >> word;)
         words.push_back(word);
       return words;
-    }
-
-
-
-    bool
-    read_number(const std::string &word, double &value)
-    {
-      char *end = nullptr;
-      value     = std::strtod(word.c_str(), &end);
-      return end == word.c_str() + word.size() && std::isfinite(value);
     }
   } // namespace
 
@@ -143,8 +133,8 @@ namespace lumbricus
                          "File' is not set. Give the path of a file with a "
                          "point and a vector in a line, from the working "
                          "directory."));
-    std::ifstream in(file_name);
-    AssertThrow(in && !std::filesystem::is_directory(file_name),
+    std::ifstream in = open_input_file(file_name);
+    AssertThrow(in.good(),
                 ExcInput("Parameter '" + parameter + "File': the file '" +
                          file_name +
                          "' cannot be read. Give the path of a file with a "

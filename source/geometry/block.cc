@@ -134,7 +134,7 @@ namespace lumbricus
                       "Rectangles on faces that are boundaries of their own, "
                       "names of your own, each with a section of that name "
                       "here. The name of the face stands for the rest of it.",
-                      dealii::Patterns::List(Name()));
+                      NameList());
   }
 
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/input_file.h>
 #include <lumbricus/geometry/msh_lines.h>
 
 #include <deal.II/base/utilities.h>
-
-#include <filesystem>
 
 namespace lumbricus
 {
@@ -14,10 +13,10 @@ namespace lumbricus
 
 
   MshLines::MshLines(const std::string &parameter, const std::string &file_name)
-    : in(file_name)
+    : in(open_input_file(file_name))
     , begin("Parameter '" + parameter + "': the mesh file '" + file_name + "'")
   {
-    if (!in || std::filesystem::is_directory(file_name))
+    if (!in)
       fail(" cannot be read. Give the path of a .msh file of Gmsh, from the "
            "working directory.");
   }

@@ -106,7 +106,7 @@ namespace lumbricus
                       names,
                       "The loads and supports of this run, names of your "
                       "own, each with a section of that name here.",
-                      dealii::Patterns::List(Name()));
+                      NameList());
     prm.add_parameter("Minimal support",
                       hold_rigid_motions,
                       "Whether to hold the rigid motions that nothing else "

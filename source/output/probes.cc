@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/expression.h>
+#include <lumbricus/core/user_text.h>
 #include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/output/probes.h>
 
@@ -42,26 +43,19 @@ namespace lumbricus
     std::vector<dealii::Point<dim>> all;
     for (const std::string &text :
          dealii::Utilities::split_string_list(list, ';'))
-      try
-        {
-          const auto coordinates = dealii::Utilities::string_to_double(
-            dealii::Utilities::split_string_list(text, ','));
-          AssertThrow(coordinates.size() == dim &&
-                        std::all_of(coordinates.begin(),
-                                    coordinates.end(),
-                                    [](const double x) {
-                                      return std::isfinite(x);
-                                    }),
-                      dealii::ExcMessage("not three numbers"));
-          all.emplace_back(coordinates[0], coordinates[1], coordinates[2]);
-        }
-      catch (const dealii::ExceptionBase &)
-        {
-          AssertThrow(false,
-                      ExcInput("Parameter 'Output/Points': '" + text +
-                               "' is not a point. Give three numbers a point, "
-                               "as in '0, 0, 2; 1, 0, 2'."));
-        }
+      {
+        const std::vector<std::string> words =
+          dealii::Utilities::split_string_list(text, ',');
+        dealii::Point<dim> point;
+        bool               is_point = words.size() == dim;
+        for (unsigned int d = 0; d < dim && is_point; ++d)
+          is_point = read_number(words[d], point[d]);
+        AssertThrow(is_point,
+                    ExcInput("Parameter 'Output/Points': '" + shortened(text) +
+                             "' is not a point. Give three numbers a point, "
+                             "as in '0, 0, 2; 1, 0, 2'."));
+        all.push_back(point);
+      }
     return all;
   }
 

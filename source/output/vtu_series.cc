@@ -4,9 +4,98 @@
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/numerics/data_out.h>
 
+#include <map>
+#include <tuple>
+
 namespace lumbricus
 {
   namespace Interpretation = dealii::DataComponentInterpretation;
+
+  namespace
+  {
+    // A text as the value of an attribute in XML.
+    std::string
+    xml_text(const std::string &text)
+    {
+      static const std::map<char, std::string> entities = {{'&', "&amp;"},
+                                                           {'<', "&lt;"},
+                                                           {'>', "&gt;"},
+                                                           {'"', "&quot;"},
+                                                           {'\'', "&apos;"}};
+      std::string                              xml;
+      for (const char c : text)
+        {
+          const auto entity = entities.find(c);
+          xml += entity == entities.end() ? std::string(1, c) : entity->second;
+        }
+      return xml;
+    }
+
+
+
+    // DataOut with any names for the fields: it takes letters and digits alone,
+    // and writes them as they are.
+    class NamedDataOut : public dealii::DataOut<dim>
+    {
+    public:
+      // Add a vector whose components have the names @p names.
+      void
+      add_fields(
+        const dealii::DoFHandler<dim>  &dof_handler,
+        const Vector                   &values,
+        const std::vector<std::string> &names,
+        const std::vector<Interpretation::DataComponentInterpretation>
+          &interpretations)
+      {
+        std::map<std::string, std::string> stand_ins;
+        std::vector<std::string>           taken;
+        for (const std::string &name : names)
+          {
+            const std::string next = "field" + std::to_string(shown.size());
+            const auto [entry, is_new] = stand_ins.insert({name, next});
+            if (is_new)
+              shown[next] = xml_text(name);
+            taken.push_back(entry->second);
+          }
+        add_data_vector(dof_handler, values, taken, interpretations);
+      }
+
+    protected:
+      std::vector<std::string>
+      get_dataset_names() const override
+      {
+        std::vector<std::string> names =
+          dealii::DataOut<dim>::get_dataset_names();
+        for (std::string &name : names)
+          name = shown_name(name);
+        return names;
+      }
+
+      std::vector<std::tuple<unsigned int,
+                             unsigned int,
+                             std::string,
+                             Interpretation::DataComponentInterpretation>>
+      get_nonscalar_data_ranges() const override
+      {
+        auto ranges = dealii::DataOut<dim>::get_nonscalar_data_ranges();
+        for (auto &range : ranges)
+          std::get<2>(range) = shown_name(std::get<2>(range));
+        return ranges;
+      }
+
+    private:
+      std::string
+      shown_name(const std::string &name) const
+      {
+        const auto entry = shown.find(name);
+        return entry == shown.end() ? name : entry->second;
+      }
+
+      std::map<std::string, std::string> shown;
+    };
+  } // namespace
+
+
 
   VtuSeries::VtuSeries(const RunFolder  &folder,
                        const MixedSpace &space,
@@ -54,17 +143,17 @@ namespace lumbricus
           owner[cell->active_cell_index()]   = rank;
         }
 
-    dealii::DataOut<dim>          data_out;
+    NamedDataOut                  data_out;
     dealii::DataOutBase::VtkFlags flags;
     flags.write_higher_order_cells = true;
     flags.time                     = state.time;
     flags.cycle                    = times_and_names.size();
     data_out.set_flags(flags);
     data_out.attach_triangulation(space.triangulation);
-    data_out.add_data_vector(cell_fields.dof_handler(),
-                             cell_fields.values(),
-                             cell_fields.names(),
-                             cell_fields.interpretations());
+    data_out.add_fields(cell_fields.dof_handler(),
+                        cell_fields.values(),
+                        cell_fields.names(),
+                        cell_fields.interpretations());
     data_out.add_data_vector(segment, "segment");
     data_out.add_data_vector(tissue, "tissue");
     data_out.add_data_vector(owner, "rank");

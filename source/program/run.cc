@@ -143,6 +143,8 @@ namespace lumbricus
         checkpoint->program_version() != LUMBRICUS_VERSION)
       log << "The checkpoint was written by version "
           << checkpoint->program_version() << ".\n";
+    for (const std::string &name : file.unused())
+      log << "Not used, because of --set: " << name << ".\n";
     problem.describe();
     if (command_line.check)
       log << "The input is valid; nothing was computed.\n";

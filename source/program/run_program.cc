@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/input_limits.h>
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/core/parameter_file.h>
+#include <lumbricus/core/user_text.h>
 #include <lumbricus/program/blas.h>
 #include <lumbricus/program/run.h>
 #include <lumbricus/program/run_parameters.h>
@@ -9,13 +11,46 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <iostream>
 
 namespace lumbricus
 {
+  namespace
+  {
+    // A standard stream that was closed is opened so that its use fails: else
+    // the first file that is opened takes its place, and what is said goes
+    // there.
+    void
+    occupy_closed_streams()
+    {
+      for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) == -1 &&
+            open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) !=
+              stream)
+          return;
+    }
+
+
+
+    // What was said on standard output, which users asked for, has to be there.
+    void
+    check_said()
+    {
+      AssertThrow(std::cout.flush(),
+                  ExcInput("Standard output cannot be written. See where it "
+                           "goes, and whether there is space."));
+    }
+  } // namespace
+
+
+
   int
   run_program(int argc, char *argv[])
   {
+    occupy_closed_streams();
     prepare_blas(argv);
     dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
@@ -23,7 +58,8 @@ namespace lumbricus
     const bool     first = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
     const auto     say   = [&](const std::string &message) {
       if (first)
-        std::cerr << "\nlumbricus: " << message << std::endl;
+        std::cerr << "\nlumbricus: "
+                  << printable(message, InputLimits::message) << std::endl;
     };
 
     try
@@ -41,10 +77,13 @@ namespace lumbricus
               print_version(std::cout);
             else
               ParameterFile::print_reference(parameters, std::cout);
+            check_said();
             return ExitCode::done;
           }
         watch_for_interruption();
         run(command_line, comm);
+        if (command_line.check && first)
+          check_said();
         return ExitCode::done;
       }
     catch (const ExcInput &exception)

@@ -7,7 +7,7 @@ import re
 import subprocess
 
 import pytest
-from lumbricus_run import run, run_well
+from lumbricus_run import outline, run, run_well
 from mistakes import ManyRuns
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -15,22 +15,6 @@ BLOCK = HERE / "block.prm"
 
 
 call = ManyRuns().call
-
-
-def outline(text):
-    """The value of each parameter of a file, by its full name."""
-    values, sections = {}, []
-    for line in text.splitlines():
-        line = line.split("#")[0].strip()
-        if line.startswith("subsection "):
-            sections.append(line[len("subsection "):])
-        elif line == "end":
-            sections.pop()
-        elif line.startswith("set "):
-            name, value = line[len("set "):].split("=", 1)
-            values["/".join([*sections, name.strip()])] = value.strip()
-    assert not sections
-    return values
 
 
 @pytest.mark.parametrize("option", ["--help", "-h"])

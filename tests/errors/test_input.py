@@ -156,6 +156,21 @@ MISTAKES = [
     ("law that was not chosen", BLOCK, ["Tissues/flesh/Mooney-Rivlin/b=1"],
      ["'Tissues/flesh/Mooney-Rivlin' is not used",
       "'Tissues/flesh/Law' is 'Neo-Hooke'", "Choose 'Mooney-Rivlin' there"]),
+    # The section of the default was taken in silence.
+    ("law that is the default but was not chosen", PRM, """
+subsection Geometry
+  set Shape = block
+end
+subsection Tissues
+  subsection block
+    set Law = Hooke
+    subsection Neo-Hooke
+      set a = 7
+    end
+  end
+end
+""", ["line 8", "'Tissues/block/Neo-Hooke' is not used",
+      "'Tissues/block/Law' is 'Hooke'"]),
     ("activation that was not chosen", BLOCK, ["Muscles/biceps/wave/Duty=1"],
      ["'Muscles/biceps/wave' is not used",
       "'Muscles/biceps/Active stretch' is 'expression'",

@@ -193,7 +193,8 @@ MISTAKES = [
       "'Mesh.MshFileVersion = 4.1;'"]),
     # A section cannot have such a name: this went on without the tissue.
     ("name with a slash", Mesh(("wall", "w/all")), [],
-     [FILE, "a physical volume 'w/all'", "without '/', '#' and commas"]),
+     [FILE, "a physical volume 'w/all': it has a '/'", "without '/', '#', '=' "
+      "and commas"]),
     ("more tissues than there may be", of_many_tissues(), [],
      [FILE, "has 257 tissues", "there can be 256", "the last word"]),
     # The message was that 'File' is not set.

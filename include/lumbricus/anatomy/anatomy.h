@@ -87,6 +87,10 @@ namespace lumbricus
     std::vector<std::string>
     all_muscle_names() const;
 
+    /** No two muscles whose fields are called the same. */
+    void
+    check_field_names() const;
+
     void
     check_liquids() const;
 

@@ -35,6 +35,10 @@ namespace lumbricus
     const std::string &
     name() const;
 
+    /** The name in those of fields: blanks are '_'. */
+    std::string
+    field_name() const;
+
     /**
      * The unit vector along the fibres at @p X. Throws ExcInput where they
      * have no direction, naming muscle and point.

@@ -141,7 +141,16 @@ namespace lumbricus
     extend_parameters(dealii::ParameterHandler &prm,
                       const Extent              extent) override
     {
+      // Those that are new have to be read first: what they choose themselves
+      // is still the default, whose section nobody may ask for.
       bool extended = false;
+      for (auto &object : objects)
+        {
+          prm.enter_subsection(object.first);
+          extended |= object.second->extend_parameters(prm, extent);
+          prm.leave_subsection();
+        }
+
       if (extent == Extent::everything)
         {
           for (const auto &alternative : Registry<Base>::entries())
@@ -149,13 +158,6 @@ namespace lumbricus
         }
       else if (!name.empty())
         extended |= declare(name, prm);
-
-      for (auto &object : objects)
-        {
-          prm.enter_subsection(object.first);
-          extended |= object.second->extend_parameters(prm, extent);
-          prm.leave_subsection();
-        }
       return extended;
     }
 
