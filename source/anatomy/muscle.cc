@@ -92,6 +92,14 @@ namespace lumbricus
 
 
 
+  bool
+  Muscle::fibres_are_sampled() const
+  {
+    return fibre_choice->is_sampled();
+  }
+
+
+
   double
   Muscle::active_stretch(const double              t,
                          const unsigned int        segment,

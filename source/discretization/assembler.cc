@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/assembler.h>
-#include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/discretization/surface_tractions.h>
 
 #include <deal.II/grid/filtered_iterator.h>
 
@@ -35,9 +35,7 @@ namespace lumbricus
     , face_values(space.mapping,
                   space.fe,
                   space.face_quadrature,
-                  dealii::update_values | dealii::update_gradients |
-                    dealii::update_JxW_values | dealii::update_normal_vectors |
-                    dealii::update_quadrature_points)
+                  SurfaceNodes::update_flags())
   {}
 
 
@@ -176,68 +174,29 @@ namespace lumbricus
     const bool                                           with_tangent,
     double                                              *residual)
   {
-    for (const auto &face : cell->face_iterators())
-      {
-        if (!face->at_boundary())
-          continue;
-        const auto acting = conditions.on_boundary(face->boundary_id());
-        bool       any    = false;
-        for (const BoundaryCondition *condition : acting)
-          any = any || condition->acts_on_surface();
-        if (!any)
-          continue;
-
-        face_values.reinit(mesh_cell(cell), face);
-        for (const unsigned int q : face_values.quadrature_point_indices())
-          {
-            SurfacePoint point;
-            point.X = face_values.quadrature_point(q);
-            point.N = face_values.normal_vector(q);
-            point.t = t;
-            point.F = dealii::unit_symmetric_tensor<dim, double>();
-
-            dealii::Tensor<1, dim> gradients[n_nodes];
-            double                 values[n_nodes];
-            for (unsigned int n = 0; n < n_nodes; ++n)
-              {
-                const unsigned int dof = space.displacement_dof[0][n];
-                gradients[n]           = face_values.shape_grad(dof, q);
-                values[n]              = face_values.shape_value(dof, q);
-                for (unsigned int c = 0; c < dim; ++c)
-                  {
-                    point.u[c] += kernel->u[c][n] * values[n];
-                    for (unsigned int J = 0; J < dim; ++J)
-                      point.F[c][J] += kernel->u[c][n] * gradients[n][J];
-                  }
-              }
-
-            for (const BoundaryCondition *condition : acting)
-              {
-                if (!condition->acts_on_surface())
-                  continue;
-                SurfaceResponse response;
-                condition->surface(point, response);
-                const double w = face_values.JxW(q);
-                for (unsigned int n = 0; n < n_nodes; ++n)
-                  for (unsigned int c = 0; c < dim; ++c)
-                    residual[CellUnknowns::displacement(c, n)] -=
-                      w * values[n] * response.T[c];
-                if (!with_tangent || !response.depends_on_shape())
-                  continue;
-                auto &matrix = linearisation.surface_matrix(i);
-                for (unsigned int c = 0; c < dim; ++c)
-                  for (unsigned int k = 0; k < dim; ++k)
-                    for (unsigned int m = 0; m < n_nodes; ++m)
-                      {
-                        const double dT = response.dT_du[c][k] * values[m] +
-                                          response.dT_dF[c][k] * gradients[m];
-                        for (unsigned int n = 0; n < n_nodes; ++n)
-                          matrix[CellUnknowns::displacement(c, n) * n_per_cell +
-                                 CellUnknowns::displacement(k, m)] -=
-                            w * values[n] * dT;
-                      }
-              }
-          }
-      }
+    const auto add = [&](const BoundaryCondition & /*condition*/,
+                         const SurfaceNodes    &nodes,
+                         const SurfaceResponse &response) {
+      const double w = nodes.JxW;
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        for (unsigned int c = 0; c < dim; ++c)
+          residual[CellUnknowns::displacement(c, n)] -=
+            w * nodes.values[n] * response.T[c];
+      if (!with_tangent || !response.depends_on_shape())
+        return;
+      auto &matrix = linearisation.surface_matrix(i);
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int k = 0; k < dim; ++k)
+          for (unsigned int m = 0; m < n_nodes; ++m)
+            {
+              const double dT = response.dT_du[c][k] * nodes.values[m] +
+                                response.dT_dF[c][k] * nodes.gradients[m];
+              for (unsigned int n = 0; n < n_nodes; ++n)
+                matrix[CellUnknowns::displacement(c, n) * n_per_cell +
+                       CellUnknowns::displacement(k, m)] -=
+                  w * nodes.values[n] * dT;
+            }
+    };
+    for_each_traction(space, conditions, cell, kernel->u, t, face_values, add);
   }
 } // namespace lumbricus

@@ -68,6 +68,12 @@ namespace lumbricus
     dealii::Tensor<1, dim>
     direction(const dealii::Point<dim> &X) const override;
 
+    bool
+    is_sampled() const override
+    {
+      return true;
+    }
+
   private:
     using Entry = std::pair<dealii::Point<dim>, unsigned int>;
 

@@ -61,6 +61,12 @@ namespace lumbricus
     std::vector<SymmetryPlane>
     symmetry_planes() const override;
 
+    std::string
+    way_without_symmetry() const override
+    {
+      return "Take the axis out of '" + path + "/Symmetry'.";
+    }
+
     std::vector<SegmentSections>
     sections() const override
     {

@@ -62,6 +62,13 @@ namespace lumbricus
       return mesh().symmetry_planes;
     }
 
+    std::string
+    way_without_symmetry() const override
+    {
+      return "Give a mesh of the whole body, without the physical surface of "
+             "the plane.";
+    }
+
     std::vector<SegmentSections>
     sections() const override
     {

@@ -208,6 +208,22 @@ namespace lumbricus
 
 
 
+  unsigned int
+  BoundaryConditions::n_conditions() const
+  {
+    return conditions.size();
+  }
+
+
+
+  const NamedCondition &
+  BoundaryConditions::condition(const unsigned int i) const
+  {
+    return conditions[i];
+  }
+
+
+
   std::vector<const BoundaryCondition *>
   BoundaryConditions::on_boundary(const dealii::types::boundary_id id) const
   {

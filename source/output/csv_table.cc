@@ -31,6 +31,19 @@ namespace lumbricus
 
 
 
+  std::string
+  csv_text(const std::string &text)
+  {
+    if (text.find_first_of(",\"\n\r") == std::string::npos)
+      return text;
+    std::string quoted = "\"";
+    for (const char c : text)
+      quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+  }
+
+
+
   std::pair<std::string, std::uintmax_t>
   CsvTable::name_and_size() const
   {

@@ -2,6 +2,7 @@
 #include <lumbricus/adaptivity/cell_cost.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/program/chain_model.h>
+#include <lumbricus/program/load_balance.h>
 
 namespace lumbricus
 {
@@ -54,6 +55,12 @@ namespace lumbricus
     number_unknowns();
     reinit();
     parameters.try_expressions(triangulation);
+    const auto times = parameters.times_to_try();
+    parameters.symmetry_check.check(space,
+                                    parameters.anatomy,
+                                    parameters.boundary_conditions,
+                                    times);
+    check_load_balance(space, parameters.boundary_conditions, supports, times);
   }
 
 
@@ -103,6 +110,22 @@ namespace lumbricus
                   "within the step: this is another equilibrium, "
                   "to which nothing leads"));
     return report;
+  }
+
+
+
+  std::vector<ExternalForce>
+  ChainModel::forces_on_body(const State &state) const
+  {
+    dealii::TimerOutput::Scope scope(timer, "reactions");
+    return external_forces(space,
+                           shapes,
+                           parameters.anatomy,
+                           parameters.boundary_conditions,
+                           references,
+                           supports,
+                           state.solution,
+                           state.time);
   }
 
 

@@ -146,6 +146,7 @@ namespace lumbricus
         StepRecord  record = advance(next, step.number + 1);
         if (parameters.adaptivity.due(record.number))
           adapt(next, record, results);
+        record.external_forces = model.forces_on_body(next);
         record.softest_stiffness =
           parameters.stability_watch.look(model, next, log);
         charge(record, before);

@@ -47,6 +47,7 @@ namespace lumbricus
             read_cells(model.space, in, state);
           }
         state.compress();
+        model.references.update(state);
       }
 
       const std::set<CellKey> refined;

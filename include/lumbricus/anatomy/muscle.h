@@ -42,6 +42,10 @@ namespace lumbricus
     dealii::Tensor<1, dim>
     fibre_direction(const dealii::Point<dim> &X) const;
 
+    /** See FibreField::is_sampled(). */
+    bool
+    fibres_are_sampled() const;
+
     /**
      * The active stretch lambda at time @p t in segment @p segment (from one)
      * at reference position @p X. Throws ExcInput where it is not a positive

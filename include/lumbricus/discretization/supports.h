@@ -8,6 +8,8 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <array>
+#include <memory>
 #include <vector>
 
 namespace lumbricus
@@ -22,6 +24,36 @@ namespace lumbricus
   class Supports
   {
   public:
+    /** What holds an unknown. */
+    enum class By
+    {
+      condition,      ///< a prescribed displacement
+      symmetry,       ///< a plane of mirror symmetry
+      minimal_support ///< nothing but the minimal support
+    };
+
+    /** An unknown that is prescribed; without a condition it is held at 0. */
+    struct Prescribed
+    {
+      dealii::types::global_dof_index index;     ///< the unknown
+      unsigned int                    component; ///< of the displacement
+      unsigned int                    body;      ///< see body_of()
+      dealii::Point<dim>              X;         ///< its node [mm]
+      const BoundaryCondition        *condition; ///< or nullptr
+      By                              by;        ///< what holds it
+      /** Which plane of the geometry, or which of minimal_support(). */
+      unsigned int number;
+      /** The displacement of its node. */
+      std::array<dealii::types::global_dof_index, dim> node;
+    };
+
+    /** A displacement that the minimal support holds. */
+    struct HeldPoint
+    {
+      dealii::Point<dim> X;         ///< where [mm]
+      unsigned int       direction; ///< 0, 1, 2 for x, y, z
+    };
+
     /** All of these are kept by reference; there are no constraints before
      * reinit(). */
     Supports(const MixedSpace         &space,
@@ -56,22 +88,30 @@ namespace lumbricus
     void
     set_increments_to_zero();
 
+    /** The unknowns that are prescribed, of owned and ghost cells. */
+    const std::vector<Prescribed> &
+    prescribed_unknowns() const;
+
+    /** What the minimal support holds, the same on all ranks. */
+    const std::vector<HeldPoint> &
+    minimal_support() const;
+
+    /** The constraints that do not hold anything but pass forces on: hanging
+     * nodes and the interface, closed. Collective. */
+    dealii::AffineConstraints<double>
+    links() const;
+
+    /** What holds the wall, and all that does not slip, besides the minimal
+     * support. */
+    const RigidMotions &
+    held_without_minimal_support() const;
+
     /** All constraints on the unknowns of the space, closed, with the
      * inhomogeneities set last. */
     const dealii::AffineConstraints<double> &
     constraints() const;
 
   private:
-    /** An unknown that is prescribed; without a condition it is held at 0. */
-    struct Prescribed
-    {
-      dealii::types::global_dof_index index;
-      unsigned int                    component;
-      unsigned int                    body;
-      dealii::Point<dim>              X;
-      const BoundaryCondition        *condition;
-    };
-
     /** The body a cell is part of that can move by itself: 0, or segment + 1
      * for liquid that slips. */
     unsigned int
@@ -100,6 +140,14 @@ namespace lumbricus
     void
     close();
 
+    /** Close constraints that have all their lines. */
+    void
+    close(dealii::AffineConstraints<double> &constraints) const;
+
+    /** The unknowns whose constraints this rank has to know. */
+    dealii::IndexSet
+    known_unknowns() const;
+
     const MixedSpace         &space;
     const Anatomy            &anatomy;
     const Geometry           &geometry;
@@ -110,6 +158,8 @@ namespace lumbricus
     dealii::AffineConstraints<double> base;
     dealii::AffineConstraints<double> increments;
     std::vector<Prescribed>           prescribed;
+    std::vector<HeldPoint>            held_points;
+    std::unique_ptr<RigidMotions>     held;
   };
 } // namespace lumbricus
 

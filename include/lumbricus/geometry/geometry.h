@@ -117,6 +117,14 @@ namespace lumbricus
     virtual std::vector<SymmetryPlane>
     symmetry_planes() const = 0;
 
+    /** What to set so that the body has no planes of symmetry, a sentence for
+     * messages. */
+    virtual std::string
+    way_without_symmetry() const
+    {
+      return "Compute the whole body, without this plane.";
+    }
+
     /**
      * How many times the mesh fits into the whole body: 1 for a full, 2 for
      * a half, 4 for a quarter cross-section.

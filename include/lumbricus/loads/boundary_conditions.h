@@ -74,6 +74,14 @@ namespace lumbricus
       const dealii::parallel::TriangulationBase<dim> &triangulation,
       const std::vector<double>                      &times) const;
 
+    /** How many there are. */
+    unsigned int
+    n_conditions() const;
+
+    /** Number @p i of n_conditions(), in the order of their names. */
+    const NamedCondition &
+    condition(const unsigned int i) const;
+
     /** The conditions that act on boundary @p id. */
     std::vector<const BoundaryCondition *>
     on_boundary(const dealii::types::boundary_id id) const;

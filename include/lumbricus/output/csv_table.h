@@ -58,6 +58,12 @@ namespace lumbricus
 
 
 
+  /** @p text as an entry of a table: in quotes where it needs them. */
+  std::string
+  csv_text(const std::string &text);
+
+
+
   template <typename T>
   CsvTable &
   CsvTable::operator<<(const T &entry)

@@ -17,8 +17,8 @@ namespace lumbricus
 {
   /**
    * Everything a run leaves on disk: segments.csv, resets.csv, points.csv,
-   * steps.csv, newton.csv and mesh.csv with every step, VTU files of some
-   * steps, and of the last good state in any case.
+   * reactions.csv, steps.csv, newton.csv and mesh.csv with every step, VTU
+   * files of some steps, and of the last good state in any case.
    */
   class Results
   {
@@ -69,6 +69,9 @@ namespace lumbricus
     write_resets(const StepRecord &step);
 
     void
+    write_reactions(const StepRecord &step);
+
+    void
     write_steps(const StepRecord &step);
 
     void
@@ -85,6 +88,7 @@ namespace lumbricus
 
     CsvTable   segments;
     CsvTable   resets;
+    CsvTable   reactions;
     CsvTable   steps;
     CsvTable   newton;
     CsvTable   mesh;

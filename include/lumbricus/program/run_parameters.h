@@ -11,12 +11,14 @@
 #include <lumbricus/loads/boundary_conditions.h>
 #include <lumbricus/output/probes.h>
 #include <lumbricus/program/stability_watch.h>
+#include <lumbricus/program/symmetry_check.h>
 #include <lumbricus/program/unit_check.h>
 #include <lumbricus/solvers/linear_solver.h>
 #include <lumbricus/solvers/predictor.h>
 #include <lumbricus/solvers/reset_iteration.h>
 
 #include <string>
+#include <vector>
 
 namespace lumbricus
 {
@@ -44,9 +46,13 @@ namespace lumbricus
     void
     initialize();
 
+    /** The times at which expressions are tried: 101, from 0 to the end. */
+    std::vector<double>
+    times_to_try() const;
+
     /**
-     * Try all expressions on the mesh, at 101 times of the run. Throws
-     * ExcInput. Collective.
+     * Try all expressions on the mesh, at times_to_try(). Throws ExcInput.
+     * Collective.
      */
     void
     try_expressions(
@@ -59,6 +65,7 @@ namespace lumbricus
     Adaptivity           adaptivity;          ///< section Adaptivity
     InterfaceCoupling    interface_coupling;  ///< section Interface
     BoundaryConditions   boundary_conditions; ///< section Boundary conditions
+    SymmetryCheck        symmetry_check;      ///< section Boundary conditions
     LoadStepping         load_stepping;       ///< section Time
     CheckpointSchedule   checkpoint_schedule; ///< section Checkpoints
     ResetIteration       reset_iteration;     ///< section Reset
