@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/anatomy/anatomy.h>
+#include <lumbricus/anatomy/stiffness_ratio.h>
 #include <lumbricus/core/exceptions.h>
 
 #include <algorithm>
@@ -60,6 +61,7 @@ namespace lumbricus
     within_section("Tissues", [&]() { tissues.check_parameters(); });
     within_section("Muscles", [&]() { muscles.check_parameters(); });
     check_liquids();
+    StiffnessRatio(*this).check();
   }
 
 
@@ -169,6 +171,14 @@ namespace lumbricus
   {
     AssertIndexRange(i, tissue_names.size());
     return *tissues.find(tissue_names[i].name);
+  }
+
+
+
+  const Tissue &
+  Anatomy::tissue(const std::string &name) const
+  {
+    return *tissues.find(name);
   }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/anatomy/stiffness_ratio.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/program/chain_problem.h>
@@ -48,7 +49,8 @@ namespace lumbricus
         << dealii::Utilities::MPI::n_mpi_processes(comm) << " rank"
         << (dealii::Utilities::MPI::n_mpi_processes(comm) == 1 ? "" : "s")
         << "\n"
-        << parameters.unit_check.warnings(parameters.anatomy);
+        << parameters.unit_check.warnings(parameters.anatomy)
+        << StiffnessRatio(parameters.anatomy).warning();
   }
 
 

@@ -78,6 +78,10 @@ namespace lumbricus
     const Muscle &
     muscle(const unsigned int i) const;
 
+    /** The tissue of the section Tissues/@p name, one of the geometry's. */
+    const Tissue &
+    tissue(const std::string &name) const;
+
     /** The largest shear modulus of all tissues that are not liquid, or of
      * all where there are no others. */
     double
