@@ -2,6 +2,7 @@
 #include <lumbricus/anatomy/stiffness_ratio.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
+#include <lumbricus/core/out_of_memory.h>
 #include <lumbricus/program/chain_problem.h>
 #include <lumbricus/program/diagnosis.h>
 #include <lumbricus/program/mesh_adaptation.h>
@@ -144,8 +145,12 @@ namespace lumbricus
     while (!parameters.load_stepping.finished(state.time))
       {
         const Costs before = costs();
-        State       next   = state;
-        StepRecord  record = advance(next, step.number + 1);
+        State       next;
+        StepRecord  record;
+        with_memory_message(comm, [&]() {
+          next   = state;
+          record = advance(next, step.number + 1);
+        });
         if (parameters.adaptivity.due(record.number))
           adapt(next, record, results);
         record.external_forces = model.forces_on_body(next);

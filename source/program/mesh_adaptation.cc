@@ -3,6 +3,7 @@
 #include <lumbricus/adaptivity/state_transfer.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
+#include <lumbricus/core/out_of_memory.h>
 #include <lumbricus/discretization/rest_volume.h>
 #include <lumbricus/discretization/state_record.h>
 #include <lumbricus/program/mesh_adaptation.h>
@@ -168,9 +169,12 @@ namespace lumbricus
           {
             {
               dealii::TimerOutput::Scope scope(model.timer, "new mesh");
-              change_mesh(model, state);
+              with_memory_message(model.space.communicator(),
+                                  [&]() { change_mesh(model, state); });
             }
-            record.report    = model.solve(state);
+            with_memory_message(model.space.communicator(), [&]() {
+              record.report = model.solve(state);
+            });
             record.converged = true;
             compare(last.segments,
                     record.report.solves.back().segments,

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
+#include <lumbricus/core/out_of_memory.h>
 #include <lumbricus/core/parameter_file.h>
 #include <lumbricus/program/blas.h>
 #include <lumbricus/program/chain_problem.h>
+#include <lumbricus/program/memory_end.h>
 #include <lumbricus/program/run.h>
 
 #include <functional>
@@ -116,7 +118,20 @@ namespace lumbricus
             command_line.verbose,
             command_line.progress);
     ChainProblem problem(parameters, log, comm);
-    problem.setup(checkpoint.get());
+    end_all_ranks_when_memory_ends(comm);
+    try
+      {
+        with_memory_message(comm, [&]() {
+          reserve_blas_memory();
+          problem.setup(checkpoint.get());
+        });
+      }
+    catch (const std::exception &exception)
+      {
+        if (is_out_of_memory(exception))
+          abort_out_of_memory(exception, comm);
+        throw;
+      }
 
     std::ostringstream resolved;
     file.print_resolved(resolved);
@@ -177,6 +192,8 @@ namespace lumbricus
   void
   abort_on_bug(const std::exception &exception, const MPI_Comm comm)
   {
+    if (is_out_of_memory(exception))
+      abort_out_of_memory(exception, comm);
     std::cerr << "\nlumbricus: this is a bug, please report it.\n"
               << exception.what() << std::endl;
     MPI_Abort(comm, ExitCode::bug);
