@@ -59,3 +59,16 @@ def run_well(*arguments, **keywords):
     result = run(*arguments, **keywords)
     assert result.exit_code == 0, result.log + result.message
     return result
+
+
+def go_on(folder, settings=(), ranks=1, timeout=900):
+    """Let a run go on from its last checkpoint, which has to go well."""
+    mpirun = [os.environ.get("MPIRUN", "mpirun"), "-np", str(ranks)]
+    command = [*(mpirun if ranks > 1 else []), os.environ["LUMBRICUS"],
+               "--restart", str(folder)]
+    for setting in settings:
+        command += ["--set", setting]
+    result = Run(subprocess.run(command, capture_output=True, text=True,
+                                timeout=timeout), folder)
+    assert result.exit_code == 0, result.log + result.message
+    return result

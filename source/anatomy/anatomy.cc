@@ -156,6 +156,38 @@ namespace lumbricus
 
 
 
+  std::vector<LoadCurve>
+  Anatomy::load_curves(
+    const dealii::parallel::TriangulationBase<dim> &triangulation) const
+  {
+    // All ranks have all cells of the coarse mesh.
+    constexpr std::size_t most_points = 5;
+    std::map<std::pair<unsigned int, const Muscle *>,
+             std::vector<dealii::Point<dim>>>
+      centers;
+    std::vector<std::pair<unsigned int, const Muscle *>> in_order;
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      {
+        const Region region = Region::of(cell->material_id());
+        for (const Muscle *muscle : muscles_of(region.tissue))
+          {
+            auto &points = centers[{region.segment + 1, muscle}];
+            if (points.empty())
+              in_order.push_back({region.segment + 1, muscle});
+            points.push_back(cell->center());
+          }
+      }
+
+    std::vector<LoadCurve> curves;
+    for (const auto &where : in_order)
+      curves.push_back(
+        where.second->load_curve(where.first,
+                                 some_of(centers[where], most_points)));
+    return curves;
+  }
+
+
+
   const Geometry &
   Anatomy::geometry() const
   {

@@ -93,9 +93,40 @@ namespace lumbricus
 
 
   double
-  Muscle::active_stretch(const double              t,
+  Muscle::active_stretch(const LoadTime           &t,
                          const unsigned int        segment,
                          const dealii::Point<dim> &X) const
+  {
+    return t.take(
+      [&](const double at) { return active_stretch_at(at, segment, X); }, 1.);
+  }
+
+
+
+  LoadCurve
+  Muscle::load_curve(const unsigned int                     segment,
+                     const std::vector<dealii::Point<dim>> &points) const
+  {
+    LoadCurve curve;
+    curve.what    = "the active stretch of muscle '" + muscle_name + "'";
+    curve.where   = " in segment " + std::to_string(segment);
+    curve.at_rest = 1.;
+    for (const dealii::Point<dim> &X : points)
+      curve.values.push_back([this, segment, X](const double t) {
+        return activation_choice->value(t, segment, X);
+      });
+    curve.marks = [this, segment](const double from, const double to) {
+      return activation_choice->marks(segment, from, to);
+    };
+    return curve;
+  }
+
+
+
+  double
+  Muscle::active_stretch_at(const double              t,
+                            const unsigned int        segment,
+                            const dealii::Point<dim> &X) const
   {
     const double lambda = activation_choice->value(t, segment, X);
     if (!(lambda > 0. && std::isfinite(lambda)))

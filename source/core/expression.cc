@@ -131,6 +131,14 @@ namespace lumbricus
 
 
 
+  double
+  Expression::value(const dealii::Point<dim> &x, const LoadTime &t) const
+  {
+    return t.take([&](const double at) { return value(x, at); }, 0.);
+  }
+
+
+
   std::string
   point_text(const dealii::Point<dim> &X)
   {

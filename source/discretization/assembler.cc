@@ -55,7 +55,7 @@ namespace lumbricus
 
 
   Assembler::Report
-  Assembler::residual(const Vector &solution, const double t, Vector &r)
+  Assembler::residual(const Vector &solution, const LoadTime &t, Vector &r)
   {
     const Report report = assemble(solution, t, false);
     std::copy(sum.begin(), sum.end(), r.begin());
@@ -65,7 +65,7 @@ namespace lumbricus
 
 
   Assembler::Report
-  Assembler::linearise(const Vector &solution, const double t)
+  Assembler::linearise(const Vector &solution, const LoadTime &t)
   {
     unknowns.update_inhomogeneities(supports.constraints());
     const Report report = assemble(solution, t, true);
@@ -93,9 +93,9 @@ namespace lumbricus
 
 
   Assembler::Report
-  Assembler::assemble(const Vector &solution,
-                      const double  t,
-                      const bool    with_tangent)
+  Assembler::assemble(const Vector   &solution,
+                      const LoadTime &t,
+                      const bool      with_tangent)
   {
     std::copy(solution.begin(), solution.end(), u.begin());
     u.update_ghost_values();
@@ -172,7 +172,7 @@ namespace lumbricus
   Assembler::add_surface_terms(
     const dealii::DoFHandler<dim>::active_cell_iterator &cell,
     const unsigned int                                   i,
-    const double                                         t,
+    const LoadTime                                      &t,
     const bool                                           with_tangent,
     double                                              *residual)
   {

@@ -301,7 +301,7 @@ namespace lumbricus
 
 
   double
-  Supports::set_increments(const Vector &solution, const double t)
+  Supports::set_increments(const Vector &solution, const LoadTime &t)
   {
     const Vector relevant = space.with_ghosts(solution);
 
@@ -310,11 +310,14 @@ namespace lumbricus
       {
         if (entry.condition == nullptr)
           continue;
-        const double missing =
-          entry.condition->prescribed_displacement(entry.component,
-                                                   entry.X,
-                                                   t) -
-          relevant(entry.index);
+        const double wanted = t.take(
+          [&](const double at) {
+            return entry.condition->prescribed_displacement(entry.component,
+                                                            entry.X,
+                                                            at);
+          },
+          0.);
+        const double missing = wanted - relevant(entry.index);
         base.set_inhomogeneity(entry.index, missing);
         largest = std::max(largest, std::abs(missing));
       }

@@ -208,6 +208,55 @@ namespace lumbricus
 
 
 
+  std::vector<LoadCurve>
+  BoundaryConditions::load_curves(
+    const dealii::parallel::TriangulationBase<dim> &triangulation) const
+  {
+    // All ranks have all cells of the coarse mesh.
+    constexpr std::size_t most_points = 5;
+    std::map<dealii::types::boundary_id, std::vector<dealii::Point<dim>>>
+      centers;
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary())
+          centers[face->boundary_id()].push_back(face->center(true));
+
+    std::vector<LoadCurve> curves;
+    for (unsigned int i = 0; i < conditions.size(); ++i)
+      {
+        const BoundaryCondition *condition = conditions[i].type.get();
+        const auto points = some_of(centers[conditions[i].boundary], most_points);
+        if (condition->acts_on_surface())
+          for (const Expression &expression : condition->expressions())
+            {
+              LoadCurve curve;
+              curve.what = "'" + expression.parameter() + "'";
+              for (const dealii::Point<dim> &X : points)
+                curve.values.push_back([expression, X](const double t) {
+                  return expression.value(X, t);
+                });
+              curves.push_back(curve);
+            }
+        const auto prescribed = condition->prescribed_components();
+        for (unsigned int c = 0; c < dim; ++c)
+          if (prescribed[c])
+            {
+              LoadCurve curve;
+              curve.what = "the displacement of '" + section + "/" +
+                           conditions[i].name + "'";
+              curve.where = std::string(" along ") + "xyz"[c];
+              for (const dealii::Point<dim> &X : points)
+                curve.values.push_back([condition, c, X](const double t) {
+                  return condition->prescribed_displacement(c, X, t);
+                });
+              curves.push_back(curve);
+            }
+      }
+    return curves;
+  }
+
+
+
   std::vector<const BoundaryCondition *>
   BoundaryConditions::on_boundary(const dealii::types::boundary_id id) const
   {

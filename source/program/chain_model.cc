@@ -54,6 +54,7 @@ namespace lumbricus
     number_unknowns();
     reinit();
     parameters.try_expressions(triangulation);
+    parameters.follow_loads(triangulation);
   }
 
 
@@ -85,9 +86,17 @@ namespace lumbricus
   ResetIteration::Report
   ChainModel::solve(State &state)
   {
-    references.update(state);
-    parameters.boundary_conditions.try_expressions(triangulation, {state.time});
-    equilibrium.set_time(state.time, state.solution);
+    return solve(state, state.time);
+  }
+
+
+
+  ResetIteration::Report
+  ChainModel::solve(State &state, const LoadTime &t)
+  {
+    references.update(state, t);
+    parameters.boundary_conditions.try_expressions(triangulation, {t.to()});
+    equilibrium.set_time(t, state.solution);
     const Vector start  = state.solution;
     const auto   report = parameters.reset_iteration.solve(state,
                                                          equilibrium,

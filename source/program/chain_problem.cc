@@ -3,10 +3,13 @@
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/program/chain_problem.h>
 #include <lumbricus/program/diagnosis.h>
+#include <lumbricus/program/load_path.h>
 #include <lumbricus/program/mesh_adaptation.h>
 #include <lumbricus/program/run_log.h>
 
+#include <algorithm>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 namespace lumbricus
@@ -248,44 +251,121 @@ namespace lumbricus
         step.relaxed = relaxation.in_segment;
         parameters.predictor.shift(relaxation.change);
       }
+    // Right before a jump.
+    std::optional<double> stop;
     while (true)
-      try
-        {
-          State next = state;
-          next.time  = stepping.next_time(state.time);
-          watch.begin_step(number, next.time);
-          parameters.predictor.predict(next);
-          step.report = model.solve(next);
-          step.time   = next.time;
-          step.size   = next.time - state.time;
-          state       = next;
-          stepping.accept(step.report.solves.front().newton.size());
-          parameters.predictor.accept(state);
-          return step;
-        }
-      catch (const ExcNotConverged &exception)
-        {
-          // Without the predictor before a shorter step.
-          if (parameters.predictor.ready())
-            {
+      {
+        const double planned  = stepping.next_time(state.time);
+        auto         division = parameters.load_curves.divide(state.time,
+                                                      planned);
+        if (stop)
+          division.to = std::min(division.to, *stop);
+        else if (division.curve != nullptr)
+          say_divided(division, planned);
+        // Beyond a corner or a jump nothing goes on as it did.
+        const bool goes_on = division.curve == nullptr && !stop;
+        try
+          {
+            take_step(state, step, division.to);
+            if (!goes_on)
               parameters.predictor.restart(state);
-              continue;
-            }
-          const std::string why = plain_message(exception);
-          try
-            {
-              stepping.cut(state.time, why);
-            }
-          catch (const ExcSolveFailed &failure)
-            {
-              AssertThrow(false,
-                          ExcSolveFailed(
-                            plain_message(failure) +
-                            diagnose(model, state, stepping.step())));
-            }
-          ++step.n_cuts;
-          log << "        cut to " << stepping.step() << ": " << why << "\n";
-        }
+            return step;
+          }
+        catch (const ExcNotConverged &exception)
+          {
+            // Without the predictor before a shorter step.
+            if (parameters.predictor.ready())
+              {
+                parameters.predictor.restart(state);
+                continue;
+              }
+            const std::string why = plain_message(exception);
+            ++step.n_cuts;
+            if (const auto jump =
+                  parameters.load_curves.jump(state.time, division.to))
+              {
+                const double shortest = parameters.load_curves.shortest();
+                if (jump->before.value_or(state.time) <=
+                    state.time + 0.5 * shortest)
+                  {
+                    take_jump(*jump, state, step);
+                    return step;
+                  }
+                stop = jump->before;
+                log << "        cut to before a jump: " << why << "\n";
+                continue;
+              }
+            try
+              {
+                stepping.cut(state.time, division.to, why);
+              }
+            catch (const ExcSolveFailed &failure)
+              {
+                AssertThrow(false,
+                            ExcSolveFailed(
+                              plain_message(failure) +
+                              diagnose(model,
+                                       state,
+                                       state.time,
+                                       state.time + stepping.step())));
+              }
+            log << "        cut to " << stepping.step() << ": " << why << "\n";
+          }
+      }
+  }
+
+
+
+  void
+  ChainProblem::take_step(State &state, StepRecord &step, const double to)
+  {
+    State next = state;
+    next.time  = to;
+    watch.begin_step(step.number, next.time);
+    parameters.predictor.predict(next);
+    step.report = model.solve(next);
+    step.time   = next.time;
+    step.size   = next.time - state.time;
+    state       = next;
+    parameters.load_stepping.accept(step.report.solves.front().newton.size());
+    parameters.predictor.accept(state);
+  }
+
+
+
+  void
+  ChainProblem::take_jump(const LoadCurves::Jump &jump,
+                          State                  &state,
+                          StepRecord             &step)
+  {
+    const double from = state.time;
+    watch.begin_step(step.number, jump.after);
+    const LoadPathReport path = go_over(jump, model, state, log);
+    step.report               = path.report;
+    step.time                 = state.time;
+    step.size                 = state.time - from;
+    step.n_cuts += path.n_cuts;
+    if (step.relaxed.empty())
+      step.relaxed.resize(path.relaxed.size(), false);
+    for (unsigned int s = 0; s < path.relaxed.size(); ++s)
+      step.relaxed[s] = step.relaxed[s] || path.relaxed[s];
+    parameters.predictor.restart(state);
+  }
+
+
+
+  void
+  ChainProblem::say_divided(const LoadCurves::Division &division,
+                            const double                planned)
+  {
+    if (!said_to_divide.insert(division.curve->what).second)
+      return;
+    std::ostringstream line;
+    line << "        a step to time " << planned << " would miss a change of "
+         << division.curve->what << division.curve->where
+         << ":\n        this one ends at " << division.to
+         << ", and others where they would.\n";
+    log << line.str();
   }
 
 

@@ -22,6 +22,7 @@ namespace lumbricus
     interface_coupling.declare_parameters(prm);
     boundary_conditions.declare_parameters(prm);
     load_stepping.declare_parameters(prm);
+    load_curves.declare_parameters(prm);
     checkpoint_schedule.declare_parameters(prm);
     reset_iteration.declare_parameters(prm);
     newton.declare_parameters(prm);
@@ -100,5 +101,20 @@ namespace lumbricus
       times.push_back(load_stepping.end_time() * i / n);
     anatomy.try_active_stretches(triangulation, times);
     boundary_conditions.try_expressions(triangulation, times);
+  }
+
+
+
+  void
+  RunParameters::follow_loads(
+    const dealii::parallel::TriangulationBase<dim> &triangulation)
+  {
+    std::vector<LoadCurve> curves = anatomy.load_curves(triangulation);
+    for (const LoadCurve &curve :
+         boundary_conditions.load_curves(triangulation))
+      curves.push_back(curve);
+    load_curves.follow(curves,
+                       load_stepping.end_time(),
+                       load_stepping.smallest_step());
   }
 } // namespace lumbricus

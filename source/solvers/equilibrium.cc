@@ -87,7 +87,7 @@ namespace lumbricus
 
 
   void
-  Equilibrium::set_time(const double t, const Vector &solution)
+  Equilibrium::set_time(const LoadTime &t, const Vector &solution)
   {
     time = t;
     renew_interface(solution);

@@ -49,6 +49,12 @@ namespace lumbricus
       const dealii::parallel::TriangulationBase<dim> &triangulation,
       const std::vector<double>                      &times) const;
 
+    /** The active stretch of every muscle in every segment it is in, over time;
+     * the same on all ranks. */
+    std::vector<LoadCurve>
+    load_curves(
+      const dealii::parallel::TriangulationBase<dim> &triangulation) const;
+
     /** The shape of the body. */
     const Geometry &
     geometry() const;

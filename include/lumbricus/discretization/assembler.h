@@ -62,14 +62,14 @@ namespace lumbricus
 
     /** Compute the residual r at @p solution and time @p t. Collective. */
     Report
-    residual(const Vector &solution, const double t, Vector &r);
+    residual(const Vector &solution, const LoadTime &t, Vector &r);
 
     /**
      * Compute the tangent and the right-hand side -r, with the
      * inhomogeneities of the supports brought to it. Collective.
      */
     Report
-    linearise(const Vector &solution, const double t);
+    linearise(const Vector &solution, const LoadTime &t);
 
     /** The tangent that linearise() computed. */
     const Tangent &
@@ -82,7 +82,9 @@ namespace lumbricus
 
   private:
     Report
-    assemble(const Vector &solution, const double t, const bool with_tangent);
+    assemble(const Vector   &solution,
+             const LoadTime &t,
+             const bool      with_tangent);
 
     /**
      * Subtract the boundary tractions of owned cell @p i, at the displacements
@@ -91,7 +93,7 @@ namespace lumbricus
     void
     add_surface_terms(const dealii::DoFHandler<dim>::active_cell_iterator &cell,
                       const unsigned int                                   i,
-                      const double                                         t,
+                      const LoadTime                                      &t,
                       const bool with_tangent,
                       double    *residual);
 

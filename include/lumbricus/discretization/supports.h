@@ -50,7 +50,7 @@ namespace lumbricus
      * @return the largest of them on any rank. Collective.
      */
     double
-    set_increments(const Vector &solution, const double t);
+    set_increments(const Vector &solution, const LoadTime &t);
 
     /** Set all inhomogeneities to zero. */
     void

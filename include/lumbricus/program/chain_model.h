@@ -48,6 +48,10 @@ namespace lumbricus
     ResetIteration::Report
     solve(State &state);
 
+    /** The same with the loads taken at @p t, whatever the time of @p state. */
+    ResetIteration::Report
+    solve(State &state, const LoadTime &t);
+
     /** Before a load step from @p state: see ResetIteration::relax_mesh(). */
     LiquidMesh::Relaxation
     relax_liquid_mesh(State &state);

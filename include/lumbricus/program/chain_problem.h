@@ -10,6 +10,9 @@
 
 #include <deal.II/base/timer.h>
 
+#include <set>
+#include <string>
+
 namespace lumbricus
 {
   /**
@@ -77,6 +80,21 @@ namespace lumbricus
     StepRecord
     advance(State &state, const unsigned int number);
 
+    /** Try the load step of @p record from @p state to time @p to. Throws
+     * ExcNotConverged. */
+    void
+    take_step(State &state, StepRecord &record, const double to);
+
+    /** Go over @p jump, right after @p state, in the load step of @p record.
+     * Throws ExcSolveFailed. */
+    void
+    take_jump(const LoadCurves::Jump &jump, State &state, StepRecord &record);
+
+    /** Say where the first step ends earlier so as not to miss a change of the
+     * datum of @p division. */
+    void
+    say_divided(const LoadCurves::Division &division, const double planned);
+
     /** Adapt the mesh to @p state, which has converged. */
     void
     adapt(State &state, StepRecord &step, Results &results);
@@ -109,6 +127,9 @@ namespace lumbricus
     ChainModel          model;
     RunWatch            watch;
     bool                begun = false;
+
+    /** Whose changes divide steps, of what that was said. */
+    std::set<std::string> said_to_divide;
   };
 } // namespace lumbricus
 

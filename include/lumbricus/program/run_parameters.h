@@ -6,6 +6,7 @@
 #include <lumbricus/adaptivity/mesh_refinement.h>
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/checkpoint/checkpoint_schedule.h>
+#include <lumbricus/core/load_curves.h>
 #include <lumbricus/core/load_stepping.h>
 #include <lumbricus/discretization/interface_coupling.h>
 #include <lumbricus/loads/boundary_conditions.h>
@@ -52,6 +53,11 @@ namespace lumbricus
     try_expressions(
       const dealii::parallel::TriangulationBase<dim> &triangulation) const;
 
+    /** Let load steps miss no change of what the muscles, loads and supports
+     * on the mesh do over time. */
+    void
+    follow_loads(const dealii::parallel::TriangulationBase<dim> &triangulation);
+
     std::string          title;               ///< a line for the log
     UnitCheck            unit_check;          ///< entry Units
     Anatomy              anatomy;             ///< Geometry, Tissues, Muscles
@@ -60,6 +66,7 @@ namespace lumbricus
     InterfaceCoupling    interface_coupling;  ///< section Interface
     BoundaryConditions   boundary_conditions; ///< section Boundary conditions
     LoadStepping         load_stepping;       ///< section Time
+    LoadCurves           load_curves;         ///< section Time
     CheckpointSchedule   checkpoint_schedule; ///< section Checkpoints
     ResetIteration       reset_iteration;     ///< section Reset
     Newton               newton;              ///< section Newton

@@ -35,7 +35,7 @@ namespace lumbricus
     /** Set the time, what @p solution lacks of the displacements prescribed
      * then, and renew the interface. */
     void
-    set_time(const double t, const Vector &solution);
+    set_time(const LoadTime &t, const Vector &solution);
 
     /** Let the linear solver start anew, as it does after a restart. */
     void
@@ -88,7 +88,7 @@ namespace lumbricus
     LinearSolver        &linear_solver;
     dealii::TimerOutput &timer;
 
-    double            time              = 0.;
+    LoadTime          time;
     bool              prescribed_is_due = false;
     double            body_volume       = 0.;
     double            length            = 1.;
