@@ -69,6 +69,16 @@ FAILURES.update({
                    "Time/Smallest step=1"],
         ["No solution beyond time 0 ", "does not reach its tolerance in 1 "
          "iterations"]),
+    # The cut step ended with SIGSEGV: the solver had given up its last kind of
+    # preconditioner, and took itself to have one.
+    "multigrid without another solver to follow": (
+        CHAIN, 0, ["Linear solver/Method=multigrid",
+                   "Linear solver/multigrid/Coarsest unknowns=100",
+                   "Linear solver/multigrid/Most iterations=5",
+                   "Mesh/Global refinements=1", "Time/End=0.5",
+                   "Time/First step=0.5", "Time/Smallest step=0.2"],
+        ["No solution beyond time 0 ", "The linear solver (multigrid) does not "
+         "reach its tolerance in 5 iterations, even with new factors"]),
     "Newton's method that is not allowed to iterate": (
         BLOCK, 0, ["Newton/Most iterations=1", "Time/Smallest step=0.5"],
         ["No solution beyond time 0 ", "Newton's method does not converge "
