@@ -33,7 +33,7 @@ namespace lumbricus
   bool
   CheckpointSchedule::due(const unsigned int number, const MPI_Comm comm) const
   {
-    if (every_steps > 0 && number % every_steps == 0)
+    if (due_by_number(number))
       return true;
     if (!(every_minutes > 0.))
       return false;
@@ -41,6 +41,14 @@ namespace lumbricus
     return dealii::Utilities::MPI::broadcast(comm,
                                              since_last.wall_time() >
                                                60. * every_minutes);
+  }
+
+
+
+  bool
+  CheckpointSchedule::due_by_number(const unsigned int number) const
+  {
+    return every_steps > 0 && number % every_steps == 0;
   }
 
 

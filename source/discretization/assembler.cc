@@ -47,9 +47,18 @@ namespace lumbricus
   {
     unknowns.reinit(supports.constraints());
     linearisation.reinit();
+    rounding.reinit(shapes);
     linearisation.symmetric = conditions.symmetric();
     for (CellVector *x : {&u, &sum, &rhs})
       unknowns.reinit_vector(*x);
+  }
+
+
+
+  bool
+  Assembler::update_constraints()
+  {
+    return unknowns.update_weights(supports.constraints());
   }
 
 
@@ -103,6 +112,7 @@ namespace lumbricus
     if (with_tangent)
       linearisation.clear_surface_matrices();
 
+    rounding.clear();
     Report report;
     report.min_J              = std::numeric_limits<double>::max();
     double       force_square = 0.;
@@ -134,6 +144,11 @@ namespace lumbricus
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int n = 0; n < n_nodes; ++n)
             force_square += kernel->force[c][n] * kernel->force[c][n];
+        rounding.add(i,
+                     *kernel,
+                     shapes.pressure_modes(),
+                     law.shear_modulus(),
+                     references.cell(i));
         kernel->get_residual(values);
         if (cell->at_boundary())
           add_surface_terms(cell, i, t, with_tangent, values);
@@ -142,6 +157,7 @@ namespace lumbricus
           {
             // What is prescribed and still missing pulls at the free unknowns.
             linearisation.shear_modulus[i] = law.shear_modulus();
+            add_interface_tangent(cell, i);
             double missing[n_per_cell];
             if (unknowns.read_inhomogeneity(i, missing))
               {
@@ -155,8 +171,13 @@ namespace lumbricus
     sum.compress(dealii::VectorOperation::add);
 
     const auto comm = space.communicator();
-    report.force_level =
-      std::sqrt(dealii::Utilities::MPI::sum(force_square, comm));
+    double     sums[] = {force_square,
+                         rounding.force_square(),
+                         rounding.volume()};
+    dealii::Utilities::MPI::sum(sums, comm, sums);
+    report.force_level     = std::sqrt(sums[0]);
+    report.force_rounding  = std::sqrt(sums[1]);
+    report.volume_rounding = sums[2];
     const auto least = dealii::Utilities::MPI::min_max_avg(report.min_J, comm);
     report.min_J_segment =
       dealii::Utilities::MPI::broadcast(comm,
@@ -235,6 +256,70 @@ namespace lumbricus
                           matrix[CellUnknowns::displacement(c, n) * n_per_cell +
                                  CellUnknowns::displacement(k, m)] -=
                             w * values[n] * dT;
+                      }
+              }
+          }
+      }
+  }
+
+
+
+  void
+  Assembler::add_interface_tangent(
+    const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+    const unsigned int                                   i)
+  {
+    for (const unsigned int f : cell->face_indices())
+      {
+        if (!supports.is_sliding_face(cell, f))
+          continue;
+        face_values.reinit(mesh_cell(cell), f);
+        auto &matrix = linearisation.surface_matrix(i);
+        for (const unsigned int q : face_values.quadrature_point_indices())
+          {
+            dealii::Tensor<2, dim> F =
+              dealii::unit_symmetric_tensor<dim, double>();
+            dealii::Tensor<1, dim> gradients[n_nodes];
+            double                 p = 0.;
+            for (unsigned int n = 0; n < n_nodes; ++n)
+              {
+                gradients[n] =
+                  face_values.shape_grad(space.displacement_dof[0][n], q);
+                for (unsigned int c = 0; c < dim; ++c)
+                  F[c] += kernel->u[c][n] * gradients[n];
+              }
+            for (unsigned int m = 0; m < MixedSpace::n_pressure_modes; ++m)
+              p +=
+                kernel->p[m] * face_values.shape_value(space.pressure_dof[m], q);
+
+            // d(cof(F) N)_c / dF_kL = a_c F^(-1)_Lk - a_k F^(-1)_Lc with
+            // a = cof(F) N.
+            const auto             cofactor = dealii::cofactor(F);
+            const auto             a = cofactor * face_values.normal_vector(q);
+            const double           J = dealii::determinant(F);
+            dealii::Tensor<1, dim> spatial[n_nodes]; // F^(-T) Grad N
+            for (unsigned int n = 0; n < n_nodes; ++n)
+              spatial[n] = cofactor * gradients[n] / J;
+            const double half = 0.5 * p * face_values.JxW(q);
+            for (unsigned int n = 0; n < n_nodes; ++n)
+              {
+                const double N_n =
+                  face_values.shape_value(space.displacement_dof[0][n], q);
+                if (N_n == 0.)
+                  continue;
+                for (unsigned int m = 0; m < n_nodes; ++m)
+                  for (unsigned int c = 0; c < dim; ++c)
+                    for (unsigned int k = 0; k < dim; ++k)
+                      {
+                        const double value =
+                          half * N_n *
+                          (a[c] * spatial[m][k] - a[k] * spatial[m][c]);
+                        const unsigned int row =
+                          CellUnknowns::displacement(c, n);
+                        const unsigned int column =
+                          CellUnknowns::displacement(k, m);
+                        matrix[row * n_per_cell + column] -= value;
+                        matrix[column * n_per_cell + row] -= value;
                       }
               }
           }

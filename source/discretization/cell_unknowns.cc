@@ -126,6 +126,42 @@ namespace lumbricus
 
 
 
+  bool
+  CellUnknowns::update_weights(
+    const dealii::AffineConstraints<double> &constraints)
+  {
+    CellUnknowns now(space);
+    now.reinit(constraints);
+    const bool differs = !now.is_like(*this);
+    if (dealii::Utilities::MPI::max(differs ? 1 : 0, space.communicator()) > 0)
+      return false;
+    constrained_cells = std::move(now.constrained_cells);
+    return true;
+  }
+
+
+
+  bool
+  CellUnknowns::is_like(const CellUnknowns &other) const
+  {
+    return other.partitioner != nullptr &&
+           partitioner->is_compatible(*other.partitioner) &&
+           place == other.place && constrained == other.constrained &&
+           of_constrained_cell == other.of_constrained_cell &&
+           std::equal(constrained_cells.begin(),
+                      constrained_cells.end(),
+                      other.constrained_cells.begin(),
+                      other.constrained_cells.end(),
+                      [](const Constrained &a, const Constrained &b) {
+                        return a.free_unknowns == b.free_unknowns &&
+                               a.row_begin == b.row_begin &&
+                               a.column == b.column && a.rows == b.rows &&
+                               a.indices == b.indices;
+                      });
+  }
+
+
+
   void
   CellUnknowns::update_inhomogeneities(
     const dealii::AffineConstraints<double> &constraints)

@@ -63,13 +63,38 @@ namespace lumbricus
 
 
   bool
-  Supports::renew_interface(const Vector &solution)
+  Supports::follow_the_deformation() const
   {
-    if (!interface.follows_the_deformation())
-      return false;
-    interface.update_normals(solution);
+    return interface.follows_the_deformation();
+  }
+
+
+
+  void
+  Supports::update_interface(const Vector &solution, const Vector &start)
+  {
+    if (!follow_the_deformation())
+      return;
+    interface.update(solution, start);
     close();
-    return true;
+  }
+
+
+
+  double
+  Supports::gap() const
+  {
+    return largest_gap;
+  }
+
+
+
+  bool
+  Supports::is_sliding_face(
+    const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+    const unsigned int                                   f) const
+  {
+    return follow_the_deformation() && interface.is_liquid_side(cell, f);
   }
 
 
@@ -83,7 +108,9 @@ namespace lumbricus
     increments.copy_from(base);
     if (interface.exists())
       {
-        interface.add_constraints(increments);
+        largest_gap =
+          dealii::Utilities::MPI::max(interface.add_constraints(increments),
+                                      space.communicator());
         // Chains over nodes of other ranks are made complete.
         increments.make_consistent_in_parallel(space.locally_owned,
                                                space.locally_relevant,

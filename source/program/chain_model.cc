@@ -85,11 +85,21 @@ namespace lumbricus
   ResetIteration::Report
   ChainModel::solve(State &state)
   {
+    const Vector guess = state.solution;
+    return solve(state, guess);
+  }
+
+
+
+  ResetIteration::Report
+  ChainModel::solve(State &state, const Vector &guess)
+  {
     references.update(state);
     parameters.boundary_conditions.try_expressions(triangulation, {state.time});
-    equilibrium.set_time(state.time, state.solution);
+    equilibrium.set_time(state.time, guess);
     const Vector start  = state.solution;
     const auto   report = parameters.reset_iteration.solve(state,
+                                                         guess,
                                                          equilibrium,
                                                          parameters.newton,
                                                          references,

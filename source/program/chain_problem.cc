@@ -163,9 +163,14 @@ namespace lumbricus
         if (parameters.checkpoint_schedule.due(step.number, comm))
           {
             save_or_say(save);
-            // So that a run that goes on from here does the same.
-            model.equilibrium.forget_factors();
-            parameters.predictor.restart(state);
+            // So that a run that goes on from here does the same to the last
+            // digit. Where the clock said so this run is to go on as if there
+            // were no clock.
+            if (parameters.checkpoint_schedule.due_by_number(step.number))
+              {
+                model.equilibrium.forget_factors();
+                parameters.predictor.restart(state);
+              }
           }
       }
   }
@@ -254,8 +259,7 @@ namespace lumbricus
           State next = state;
           next.time  = stepping.next_time(state.time);
           watch.begin_step(number, next.time);
-          parameters.predictor.predict(next);
-          step.report = model.solve(next);
+          step.report = model.solve(next, parameters.predictor.predict(next));
           step.time   = next.time;
           step.size   = next.time - state.time;
           state       = next;

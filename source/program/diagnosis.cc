@@ -28,6 +28,7 @@ namespace lumbricus
       model.references.update(state);
       model.references.update_muscles(t);
       model.equilibrium.set_time(t, state.solution);
+      model.equilibrium.start_from(state.solution);
       model.equilibrium.forget_factors();
       model.equilibrium.linearise(state.solution);
     }

@@ -5,6 +5,7 @@
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/reference_field.h>
+#include <lumbricus/discretization/rounding_level.h>
 #include <lumbricus/discretization/supports.h>
 #include <lumbricus/discretization/tangent.h>
 #include <lumbricus/loads/boundary_conditions.h>
@@ -32,6 +33,11 @@ namespace lumbricus
       /** Root of the sum of squares of the nodal forces of all cells: the
        * level of the internal forces before they balance [N]. */
       double force_level = 0.;
+      /** What rounding makes of the norm of r_u [N] and of the l1 norm of r_p
+       * [mm^3] of an exact solution: RoundingLevel. */
+      double force_rounding = 0.;
+      /** See force_rounding. */
+      double volume_rounding = 0.;
       /** The smallest det F at any quadrature point, and where it is. Where
        * it is not positive the vector is not to be used. */
       double min_J = 1.;
@@ -59,6 +65,13 @@ namespace lumbricus
      * constraints. Collective. */
     void
     reinit();
+
+    /**
+     * The constraints are others, of the same unknowns as far as is known.
+     * @return whether they are: if not, reinit() has to follow. Collective.
+     */
+    bool
+    update_constraints();
 
     /** Compute the residual r at @p solution and time @p t. Collective. */
     Report
@@ -95,6 +108,20 @@ namespace lumbricus
                       const bool with_tangent,
                       double    *residual);
 
+    /**
+     * Where the liquid of owned cell @p i slips, the wall holds it by a normal
+     * traction that turns with the surface: add
+     *
+     *   -int p N_b . d(cof(F) N) dA
+     *
+     * to the tangent, symmetrised, with the p that the kernel has. The sum over
+     * the surface of a hydrostatic liquid is the exact derivative.
+     */
+    void
+    add_interface_tangent(
+      const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+      const unsigned int                                   i);
+
     const MixedSpace         &space;
     const ShapeCache         &shapes;
     const Anatomy            &anatomy;
@@ -107,6 +134,8 @@ namespace lumbricus
     CellVector   u;
     CellVector   sum;
     CellVector   rhs;
+
+    RoundingLevel rounding;
 
     std::unique_ptr<ElementKernel> kernel;
     dealii::FEFaceValues<dim>      face_values;

@@ -36,13 +36,29 @@ namespace lumbricus
     void
     reinit();
 
-    /**
-     * Let the normals of the interface be those at @p solution, if they follow
-     * the deformation.
-     * @return whether the constraints have changed. Collective.
-     */
+    /** Whether liquid slips along normals that follow the deformation, so that
+     * the constraints are others at every state. */
     bool
-    renew_interface(const Vector &solution);
+    follow_the_deformation() const;
+
+    /**
+     * Where they follow the deformation, let the normals of the interface be
+     * those at @p solution and the slip be that since @p start. Collective.
+     */
+    void
+    update_interface(const Vector &solution, const Vector &start);
+
+    /** What the liquid is off the wall by, along the normals, as compared with
+     * the start of the solve: the largest on any rank [mm]. */
+    double
+    gap() const;
+
+    /** See SlipInterface::is_liquid_side(); false where normals do not follow
+     * the deformation. */
+    bool
+    is_sliding_face(
+      const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+      const unsigned int                                   f) const;
 
     /**
      * Set the inhomogeneities to what @p solution lacks of the displacements
@@ -110,6 +126,7 @@ namespace lumbricus
     dealii::AffineConstraints<double> base;
     dealii::AffineConstraints<double> increments;
     std::vector<Prescribed>           prescribed;
+    double                            largest_gap = 0.;
   };
 } // namespace lumbricus
 

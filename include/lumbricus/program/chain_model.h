@@ -48,6 +48,10 @@ namespace lumbricus
     ResetIteration::Report
     solve(State &state);
 
+    /** The same, with Newton's method beginning with @p guess. */
+    ResetIteration::Report
+    solve(State &state, const Vector &guess);
+
     /** Before a load step from @p state: see ResetIteration::relax_mesh(). */
     LiquidMesh::Relaxation
     relax_liquid_mesh(State &state);
