@@ -4,6 +4,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <cctype>
 #include <iostream>
 #include <sstream>
 #include <streambuf>
@@ -43,12 +44,36 @@ namespace lumbricus
 
 
 
+    // Whether @p name stands in @p formula as a name of its own.
+    bool
+    uses(const std::string &formula, const std::string &name)
+    {
+      const auto in_name = [&](const std::size_t i) {
+        return i < formula.size() &&
+               (std::isalnum(static_cast<unsigned char>(formula[i])) ||
+                formula[i] == '_');
+      };
+      for (auto at = formula.find(name); at != std::string::npos;
+           at      = formula.find(name, at + 1))
+        if ((at == 0 || !in_name(at - 1)) && !in_name(at + name.size()))
+          return true;
+      return false;
+    }
+
+
+
     // What muParser takes, but hardly in the sense that was meant: a comma for
-    // a decimal point, an assignment for a comparison. Empty if there is
-    // nothing.
+    // a decimal point, an assignment for a comparison, chance. Empty if there
+    // is nothing.
     std::string
     misunderstanding(const std::string &formula)
     {
+      for (const std::string chance : {"rand", "rand_seed"})
+        if (uses(formula, chance))
+          return "it has '" + chance +
+                 "', which is another number whenever it is asked, on every "
+                 "rank and after a restart. What differs from place to place "
+                 "has to be a formula in x, y, z, as 'sin(91*x + 37*y)'.";
       int depth = 0;
       for (std::size_t i = 0; i < formula.size(); ++i)
         {

@@ -5,6 +5,7 @@
 #include <lumbricus/core/pattern_words.h>
 #include <lumbricus/core/patterns.h>
 #include <lumbricus/core/prm_scanner.h>
+#include <lumbricus/core/text_lines.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -13,7 +14,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -39,18 +39,6 @@ namespace lumbricus
             std::isspace(trimmed[keyword.size()]))
           return dealii::Utilities::trim(trimmed.substr(keyword.size()));
       return "";
-    }
-
-
-
-    // All of a file, without the mark that some editors put first.
-    std::string
-    content_of(std::istream &in)
-    {
-      const std::string all(std::istreambuf_iterator<char>(in), {});
-      const std::string mark = "\xEF\xBB\xBF";
-      return all.compare(0, mark.size(), mark) == 0 ? all.substr(mark.size()) :
-                                                      all;
     }
 
 
@@ -153,7 +141,7 @@ namespace lumbricus
                   (being_read.empty() ?
                      "; the gallery in parameters/ has some." :
                      ", from the folder of the file that includes it.")));
-    const std::string content = content_of(file_stream);
+    const std::string content = text_of(file_stream);
     AssertThrow(is_text(content),
                 ExcInput("The parameter file '" + file_name +
                          "' is not plain text. Give a .prm or .json file, in "

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/expression.h>
+#include <lumbricus/core/number_in_text.h>
 #include <lumbricus/core/registry.h>
+#include <lumbricus/core/text_lines.h>
 #include <lumbricus/fibres/fibre_field.h>
 
 #include <deal.II/base/patterns.h>
@@ -9,8 +11,6 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -37,16 +37,6 @@ namespace lumbricus
       for (std::string word; in >> word;)
         words.push_back(word);
       return words;
-    }
-
-
-
-    bool
-    read_number(const std::string &word, double &value)
-    {
-      char *end = nullptr;
-      value     = std::strtod(word.c_str(), &end);
-      return end == word.c_str() + word.size() && std::isfinite(value);
     }
   } // namespace
 
@@ -144,7 +134,7 @@ namespace lumbricus
                          "point and a vector in a line, from the working "
                          "directory."));
     std::ifstream in(file_name);
-    AssertThrow(in && !std::filesystem::is_directory(file_name),
+    AssertThrow(in && std::filesystem::is_regular_file(file_name),
                 ExcInput("Parameter '" + parameter + "File': the file '" +
                          file_name +
                          "' cannot be read. Give the path of a file with a "
@@ -155,7 +145,8 @@ namespace lumbricus
     line_numbers.clear();
     bool        at_top = true;
     std::string line;
-    for (unsigned int number = 1; std::getline(in, line); ++number)
+    skip_byte_order_mark(in);
+    for (unsigned int number = 1; read_line(in, line); ++number)
       {
         const auto words = words_of(line);
         if (words.empty())
