@@ -31,7 +31,10 @@ namespace lumbricus
   {
     dealii::TimerOutput::Scope scope(timer, "setup");
     model.create(checkpoint);
-    Probes::check(parameters.probe_points.points(), model.space);
+    // A run that goes on keeps the points that it took on its first mesh.
+    if (checkpoint == nullptr)
+      point_notes =
+        Probes::check(parameters.probe_points.points(), model.space);
   }
 
 
@@ -48,7 +51,7 @@ namespace lumbricus
         << dealii::Utilities::MPI::n_mpi_processes(comm) << " rank"
         << (dealii::Utilities::MPI::n_mpi_processes(comm) == 1 ? "" : "s")
         << "\n"
-        << parameters.unit_check.warnings(parameters.anatomy);
+        << parameters.unit_check.warnings(parameters.anatomy) << point_notes;
   }
 
 

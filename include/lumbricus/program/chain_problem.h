@@ -109,6 +109,8 @@ namespace lumbricus
     ChainModel          model;
     RunWatch            watch;
     bool                begun = false;
+    /** What to say about points that are not in the body. */
+    std::string point_notes;
   };
 } // namespace lumbricus
 
