@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -37,11 +38,21 @@ namespace lumbricus
       return true;
 
     std::vector<std::string> names;
+    std::set<std::string>    liquids;
     if (extent == Extent::chosen)
       for (const TissueName &tissue : geometry_choice->tissues())
-        names.push_back(tissue.name);
+        {
+          names.push_back(tissue.name);
+          if (tissue.liquid)
+            liquids.insert(tissue.name);
+        }
+    const bool has_wall = liquids.size() < names.size();
     prm.enter_subsection("Tissues");
-    extended |= tissues.extend_parameters(prm, extent, names, "<tissue>");
+    extended |= tissues.extend_parameters(
+      prm, extent, names, "<tissue>", [&](Tissue &tissue) {
+        if (has_wall && liquids.count(tissue.name()) > 0)
+          tissue.make_liquid();
+      });
     prm.leave_subsection();
 
     prm.enter_subsection("Muscles");

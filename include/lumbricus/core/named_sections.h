@@ -5,6 +5,7 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/parameter_owner.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -22,14 +23,16 @@ namespace lumbricus
   public:
     /**
      * Declare a section for every name of @p names that has none yet, and
-     * extend all of them. With Extent::everything, a section for
-     * @p placeholder shows what one looks like.
+     * extend all of them; @p prepare is called with every new one before. With
+     * Extent::everything, a section for @p placeholder shows what one looks
+     * like.
      */
     bool
     extend_parameters(dealii::ParameterHandler       &prm,
                       const Extent                    extent,
                       const std::vector<std::string> &names,
-                      const std::string              &placeholder)
+                      const std::string              &placeholder,
+                      const std::function<void(T &)> &prepare = {})
     {
       bool       extended = false;
       const auto all      = extent == Extent::everything ?
@@ -40,6 +43,8 @@ namespace lumbricus
           if (find(name) == nullptr)
             {
               sections.emplace_back(name, std::make_unique<T>(name));
+              if (prepare)
+                prepare(*sections.back().second);
               prm.enter_subsection(name);
               sections.back().second->declare_parameters(prm);
               prm.leave_subsection();

@@ -125,6 +125,14 @@ namespace lumbricus
       , documentation(documentation)
     {}
 
+    /** Do this with every object before its parameters are declared, to change
+     * their defaults. */
+    void
+    prepare_with(const std::function<void(Base &)> &preparation)
+    {
+      prepare = preparation;
+    }
+
     void
     declare_parameters(dealii::ParameterHandler &prm) override
     {
@@ -211,6 +219,8 @@ namespace lumbricus
       if (objects.count(which) > 0)
         return false;
       objects[which] = Registry<Base>::create(which);
+      if (prepare)
+        prepare(*objects[which]);
       prm.enter_subsection(which);
       objects[which]->declare_parameters(prm);
       prm.leave_subsection();
@@ -220,6 +230,7 @@ namespace lumbricus
     const std::string                            entry;
     std::string                                  name;
     const std::string                            documentation;
+    std::function<void(Base &)>                  prepare;
     std::map<std::string, std::unique_ptr<Base>> objects;
   };
 } // namespace lumbricus
