@@ -89,7 +89,7 @@ namespace lumbricus
       if (!wrong.empty())
         messages.fail(wrong);
       check_liquids();
-      name_boundaries(file, choices.round_surfaces, messages, mesh);
+      name_boundaries(file, choices, messages, mesh);
 
       mesh.sections = mesh_sections(mesh.vertices,
                                     mesh.cells,
@@ -227,7 +227,8 @@ namespace lumbricus
   {
     const auto all = [](const NamedMeshChoices &c) {
       return std::tie(
-        c.file_name, c.liquids, c.wall_layers, c.round_surfaces, c.scale);
+        c.file_name, c.liquids, c.wall_layers, c.round_surfaces, c.round_axis,
+        c.scale);
     };
     return all(*this) == all(other);
   }

@@ -150,7 +150,16 @@ namespace lumbricus
     for (unsigned int i = 0; i < conditions.size(); ++i)
       {
         NamedCondition &condition = conditions[i];
-        const auto      place =
+        const std::string inside =
+          geometry.inside_of_body(condition.boundary_name);
+        AssertThrow(inside.empty(),
+                    ExcParameter(section + "/" + condition.name + "/Boundary",
+                                 "is '" + condition.boundary_name +
+                                   "', which " + inside +
+                                   ". Loads and supports act at the boundary "
+                                   "of the body. Give one of " +
+                                   quoted_list(known) + "."));
+        const auto place =
           std::find(known.begin(), known.end(), condition.boundary_name);
         AssertThrow(place != known.end(),
                     ExcParameter(section + "/" + condition.name + "/Boundary",

@@ -27,8 +27,8 @@ namespace lumbricus
     void
     check_parameters() const override;
 
-    /** Let its law be, by default, that of the liquid inside a wall. Only before
-     * extend_parameters(). */
+    /** Let its law be, by default, that of the liquid inside a wall. Only
+     * before extend_parameters(). */
     void
     make_liquid();
 

@@ -7,8 +7,8 @@
 namespace lumbricus
 {
   /**
-   * Whether all of @p word is one finite decimal number, as "-1.5e3", and which.
-   * Not "nan", "inf", "0x10", "1e", "1.5mm", "1e999".
+   * Whether all of @p word is one finite decimal number, as "-1.5e3", and
+   * which. Not "nan", "inf", "0x10", "1e", "1.5mm", "1e999".
    */
   bool
   read_number(const std::string &word, double &value);

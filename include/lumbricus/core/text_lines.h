@@ -8,8 +8,8 @@
 namespace lumbricus
 {
   /**
-   * Read a line that ends with LF, CR LF, or CR alone, or with the file. Returns
-   * whether there was one; @p line is without its end.
+   * Read a line that ends with LF, CR LF, or CR alone, or with the file.
+   * Returns whether there was one; @p line is without its end.
    */
   bool
   read_line(std::istream &in, std::string &line);

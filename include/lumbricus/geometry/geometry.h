@@ -113,6 +113,17 @@ namespace lumbricus
     virtual std::vector<std::string>
     boundary_names() const = 0;
 
+    /**
+     * Why no load can act on what is called @p name, as the end of a sentence
+     * about it, where it is a surface inside the body, or partly so; empty for
+     * all other names.
+     */
+    virtual std::string
+    inside_of_body(const std::string & /*name*/) const
+    {
+      return "";
+    }
+
     /** Empty for a full cross-section. Their ids follow those of the names. */
     virtual std::vector<SymmetryPlane>
     symmetry_planes() const = 0;

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the tests of mesh files share: a mesh of cubes into which they put the
+mistakes, and a case that reads it."""
+
+HEXAHEDRON, QUADRILATERAL, TETRAHEDRON, HEXAHEDRON_20 = 5, 3, 4, 17
+
+
+class Mesh:
+    """Cubes of unit edge in a row along x, as a file of Gmsh. Tests put the
+    mistakes in."""
+
+    def __init__(self, volumes=("wall", "wall")):
+        self.version = "2.2 0 8"
+        self.names = []  # (dimension, name); the tag is the place, from 1
+        self.nodes = [[float(x), float(y), float(z)]
+                      for x in range(len(volumes) + 1)
+                      for y, z in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        self.elements = []  # (type, tag, nodes from 1)
+        for i, name in enumerate(volumes):
+            self.add(HEXAHEDRON, name, range(4 * i + 1, 4 * i + 9))
+        self.end = "$EndElements\n"
+
+    def tag(self, dimension, name):
+        if (dimension, name) not in self.names:
+            self.names.append((dimension, name))
+        return self.names.index((dimension, name)) + 1
+
+    def add(self, kind, name, nodes):
+        dimension = 2 if kind == QUADRILATERAL else 3
+        tag = self.tag(dimension, name) if name else 0
+        self.elements.append((kind, tag, list(nodes)))
+        return self
+
+    def surface(self, name, *nodes):
+        return self.add(QUADRILATERAL, name, nodes)
+
+    def move(self, node, *x):
+        self.nodes[node - 1] = list(x)
+        return self
+
+    def __str__(self):
+        lines = ["$MeshFormat", self.version, "$EndMeshFormat"]
+        if self.names:
+            lines += ["$PhysicalNames", len(self.names)]
+            lines += [f'{dimension} {i + 1} "{name}"'
+                      for i, (dimension, name) in enumerate(self.names)]
+            lines += ["$EndPhysicalNames"]
+        lines += ["$Nodes", len(self.nodes)]
+        lines += [" ".join(map(str, [i + 1, *x]))
+                  for i, x in enumerate(self.nodes)]
+        lines += ["$EndNodes", "$Elements", len(self.elements)]
+        lines += [" ".join(map(str, [i + 1, kind, 2, tag, 1, *nodes]))
+                  for i, (kind, tag, nodes) in enumerate(self.elements)]
+        return "\n".join(map(str, lines)) + "\n" + self.end
+
+
+# Files of fibres, by their names.
+WRONG_FIBRES = {
+    "five.csv": "0 0 0 1 0 0\n1 0 0 1 0\n",
+    "half.csv": "0 0 0 1 0 0\n0 0.2 0 1 0 0\n",
+    "empty.csv": "x, y, z, fx, fy, fz\n",
+    "word.csv": "0 0 0 1 0 0\n1 0 0 one 0 0\n",
+    "nan.csv": "0 0 0 nan 0 0\n",
+    "zero.csv": "0 0 0 0 0 0\n",
+    "hex.csv": "0 0 0 0x1 0 0\n",
+    "twice.csv": "0 0 0 1 0 0\n1 0 0 1 0 0\n0 0 0 0 1 0\n"}
+
+SECTION = "Geometry/mesh file/"
+FILE = f"'{SECTION}File'"
+FIBRES = "Muscles/all/file/"
+
+CASE = """
+subsection Geometry
+  set Shape = mesh file
+  subsection mesh file
+    set File           = FOLDER/body.msh
+    set Liquid tissues =
+  end
+end
+subsection Tissues
+  subsection wall
+    set Muscles = all
+  end
+end
+subsection Muscles
+  subsection all
+    set Fibres         = file
+    set Active stretch = expression
+    subsection expression
+      set Formula = 1 - 0.1*t
+    end
+  end
+end
+subsection Time
+  set First step   = 1
+  set Largest step = 1
+end
+subsection Linear solver
+  set Method = direct
+end
+"""
+
+
+def start(mistake, ranks, folder, run):
+    _, mesh, settings, _ = mistake
+    if not any(text.startswith("Muscles/all/Fibres=") for text in settings):
+        settings = [FIBRES + "File=FOLDER/fibres.csv", *settings]
+    folder.mkdir()
+    (folder / "body.msh").write_text(str(Mesh() if mesh is None else mesh))
+    (folder / "fibres.csv").write_text("0.5 0.5 0.5 1 0 0\n1.5 0.5 0.5 1 0 0\n")
+    for name, text in WRONG_FIBRES.items():
+        (folder / name).write_text(text)
+    case = folder / "case.prm"
+    case.write_text(CASE.replace("FOLDER", str(folder)))
+    return run(case, folder / "out",
+               [setting.replace("FOLDER", str(folder)) for setting in settings],
+               ranks)
