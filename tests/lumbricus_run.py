@@ -4,6 +4,7 @@
 The program and mpirun come from the environment variables LUMBRICUS and
 MPIRUN, which ctest sets.
 """
+import contextlib
 import csv
 import os
 import pathlib
@@ -59,3 +60,15 @@ def run_well(*arguments, **keywords):
     result = run(*arguments, **keywords)
     assert result.exit_code == 0, result.log + result.message
     return result
+
+
+def children_of(parent):
+    """The ids of all processes that a process has started, which under mpirun
+    are the ranks."""
+    found = []
+    for status in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        with contextlib.suppress(FileNotFoundError, ProcessLookupError):
+            # Process, name in parentheses, state, parent, ...
+            if int(status.read_text().rpartition(")")[2].split()[1]) == parent:
+                found.append(int(status.parent.name))
+    return found

@@ -46,9 +46,11 @@ class ManyRuns:
                 [os.environ["LUMBRICUS"], *map(str, arguments)],
                 capture_output=True, text=True, timeout=60, cwd=folder)
         if self.process is None:
+            # Two of these run side by side: see ../conftest.py.
             self.process = subprocess.Popen(
                 [os.environ["MANY_RUNS"]], stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE)
+                stdout=subprocess.PIPE,
+                env=dict(os.environ, TMPDIR=self.said.name))
         files = [pathlib.Path(self.said.name) / name for name in "oe"]
         texts = [folder or os.getcwd(), *files, *arguments]
         self.process.stdin.write(f"{len(texts)}\n".encode() + b"".join(
