@@ -6,6 +6,8 @@
 #include <lumbricus/program/chain_problem.h>
 #include <lumbricus/program/run.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <functional>
 #include <iostream>
 #include <memory>

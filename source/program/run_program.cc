@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
+#include <lumbricus/core/mpi_session.h>
 #include <lumbricus/core/parameter_file.h>
 #include <lumbricus/program/blas.h>
 #include <lumbricus/program/run.h>
@@ -17,7 +18,7 @@ namespace lumbricus
   run_program(int argc, char *argv[])
   {
     prepare_blas(argv);
-    dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    const MpiSession session(argv[0]);
 
     const MPI_Comm comm  = MPI_COMM_WORLD;
     const bool     first = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
