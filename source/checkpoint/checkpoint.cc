@@ -2,6 +2,8 @@
 #include <lumbricus/checkpoint/checkpoint.h>
 #include <lumbricus/core/exceptions.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <boost/crc.hpp>
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 #include <iterator>
 #include <numeric>
 #include <sstream>
+#include <system_error>
 
 namespace lumbricus
 {

@@ -110,11 +110,9 @@ namespace lumbricus
   CellFields::reinit()
   {
     fields_dof_handler.distribute_dofs(*fe);
-    dealii::IndexSet relevant;
-    dealii::DoFTools::extract_locally_relevant_dofs(fields_dof_handler,
-                                                    relevant);
     field_values.reinit(fields_dof_handler.locally_owned_dofs(),
-                        relevant,
+                        dealii::DoFTools::extract_locally_relevant_dofs(
+                          fields_dof_handler),
                         space.communicator());
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/cell_unknowns.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/local_constraints.h>
 #include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/discretization/slip_interface.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +105,8 @@ namespace lumbricus
   {
     if (!exists())
       return;
-    hanging_nodes.reinit(space.locally_relevant);
+    hanging_nodes =
+      local_constraints(space.locally_owned, space.locally_relevant);
     dealii::DoFTools::make_hanging_node_constraints(space.dof_handler,
                                                     hanging_nodes);
     hanging_nodes.close();

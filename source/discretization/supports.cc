@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/local_constraints.h>
 #include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/discretization/supports.h>
 
@@ -43,11 +44,12 @@ namespace lumbricus
   void
   Supports::reinit()
   {
-    base.clear();
+    const auto n_unknowns = space.dof_handler.n_dofs();
     // Under slip an unknown may hang on others that this rank does not know.
-    base.reinit(interface.exists() ?
-                  dealii::complete_index_set(space.dof_handler.n_dofs()) :
-                  space.locally_relevant);
+    base = local_constraints(space.locally_owned,
+                             interface.exists() ?
+                               dealii::complete_index_set(n_unknowns) :
+                               space.locally_relevant);
     dealii::DoFTools::make_hanging_node_constraints(space.dof_handler, base);
     prescribed.clear();
     prescribe_boundaries();

@@ -2,6 +2,7 @@
 #include <lumbricus/geometry/msh_file.h>
 #include <lumbricus/geometry/msh_lines.h>
 
+#include <deal.II/base/types.h>
 #include <deal.II/base/utilities.h>
 
 #include <cmath>

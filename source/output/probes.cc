@@ -6,6 +6,7 @@
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/utilities.h>
+#include <deal.II/fe/mapping.h>
 #include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>

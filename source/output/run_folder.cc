@@ -2,6 +2,7 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/output/run_folder.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>

@@ -2,6 +2,8 @@
 #include <lumbricus/output/vtu_series.h>
 
 #include <deal.II/base/data_out_base.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/lac/vector.h>
 #include <deal.II/numerics/data_out.h>
 
 namespace lumbricus

@@ -2,6 +2,7 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/solvers/kept_preconditioner.h>
 
+#include <deal.II/base/patterns.h>
 #include <deal.II/base/timer.h>
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>

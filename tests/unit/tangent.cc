@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The linearisation of equilibrium as an operator, as matrices of cells, and
 // as what the linear solvers solve: against finite differences and each other.
+#include <deal.II/base/utilities.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>

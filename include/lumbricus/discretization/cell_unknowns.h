@@ -6,6 +6,7 @@
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/partitioner.h>
+#include <deal.II/base/types.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 

@@ -6,6 +6,8 @@
 #include <lumbricus/solvers/factor_age.h>
 #include <lumbricus/solvers/linear_solver.h>
 
+#include <deal.II/base/types.h>
+
 
 namespace lumbricus
 {
