@@ -15,9 +15,12 @@ configure_package_config_file(cmake/LumbricusConfig.cmake.in LumbricusConfig.cma
   INSTALL_DESTINATION ${_package})
 write_basic_package_version_file(LumbricusConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
-configure_file(cmake/setup_target.cmake setup_target.cmake COPYONLY)
+foreach(file setup_target.cmake check_linker.cmake)
+  configure_file(cmake/${file} ${file} COPYONLY)
+  install(FILES cmake/${file} DESTINATION ${_package})
+endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/LumbricusConfig.cmake
-  ${PROJECT_BINARY_DIR}/LumbricusConfigVersion.cmake cmake/setup_target.cmake
+  ${PROJECT_BINARY_DIR}/LumbricusConfigVersion.cmake
   DESTINATION ${_package})
 install(EXPORT LumbricusTargets NAMESPACE Lumbricus:: DESTINATION ${_package})
 export(EXPORT LumbricusTargets NAMESPACE Lumbricus::)

@@ -1,6 +1,9 @@
 # lumbricus_setup_target(<target>): flags and libraries of deal.II, and the
 # options of this project.
+include(${CMAKE_CURRENT_LIST_DIR}/check_linker.cmake)
+
 function(lumbricus_setup_target target)
+  lumbricus_check_linker()
   deal_ii_setup_target(${target})
   if(LUMBRICUS_WERROR)
     target_compile_options(${target} PRIVATE -Werror)

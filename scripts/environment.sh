@@ -55,10 +55,13 @@ test_packages=(libgtest-dev numdiff doxygen)
 
 # Open MPI refuses to start for root, as in containers, without the first two,
 # and more ranks than cores without the third; without the last, runs side by
-# side would all be bound to the same cores.
+# side would all be bound to the same cores. Open MPI 5, as in Debian 13, has
+# other names for these, those of its launcher PRRTE.
 if [ "$(id -u)" -eq 0 ]; then
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 fi
 export OMPI_MCA_rmaps_base_oversubscribe=1
+export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
 export OMPI_MCA_hwloc_base_binding_policy=none
+export PRTE_MCA_hwloc_default_binding_policy=none
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1

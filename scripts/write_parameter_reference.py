@@ -13,6 +13,8 @@ All parameters of a parameter file, with their defaults. Units are in brackets;
 names of your own. A section is declared when the file asks for it: that of the
 law, the fibres or the load that was chosen, one for every tissue and muscle
 that has been named. Setting a parameter that nothing would read is an error.
+A file is text in UTF-8, with at most 100,000 characters a line, 100 a name and
+64 sections in each other; with those it includes it has at most 16 MiB.
 
 On the command line, `--set "Section/Subsection/Name=value"` sets one.
 

@@ -4,6 +4,7 @@
 The program and mpirun come from the environment variables LUMBRICUS and
 MPIRUN, which ctest sets.
 """
+import contextlib
 import csv
 import os
 import pathlib
@@ -59,3 +60,44 @@ def run_well(*arguments, **keywords):
     result = run(*arguments, **keywords)
     assert result.exit_code == 0, result.log + result.message
     return result
+
+
+def go_on(folder, settings=(), ranks=1, timeout=900):
+    """Let a run go on from its last checkpoint, which has to go well."""
+    mpirun = [os.environ.get("MPIRUN", "mpirun"), "-np", str(ranks)]
+    command = [*(mpirun if ranks > 1 else []), os.environ["LUMBRICUS"],
+               "--restart", str(folder)]
+    for setting in settings:
+        command += ["--set", setting]
+    result = Run(subprocess.run(command, capture_output=True, text=True,
+                                timeout=timeout), folder)
+    assert result.exit_code == 0, result.log + result.message
+    return result
+
+
+def outline(text):
+    """The value of each parameter of a file, by its full name."""
+    values, sections = {}, []
+    for line in text.splitlines():
+        line = line.split("#")[0].strip()
+        if line.startswith("subsection "):
+            sections.append(line[len("subsection "):])
+        elif line == "end":
+            sections.pop()
+        elif line.startswith("set "):
+            name, value = line[len("set "):].split("=", 1)
+            values["/".join([*sections, name.strip()])] = value.strip()
+    assert not sections
+    return values
+
+
+def children_of(parent):
+    """The ids of all processes that a process has started, which under mpirun
+    are the ranks."""
+    found = []
+    for status in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        with contextlib.suppress(FileNotFoundError, ProcessLookupError):
+            # Process, name in parentheses, state, parent, ...
+            if int(status.read_text().rpartition(")")[2].split()[1]) == parent:
+                found.append(int(status.parent.name))
+    return found

@@ -4,6 +4,7 @@
 
 #include <lumbricus/geometry/geometry.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/grid/tria.h>
 
 #include <algorithm>

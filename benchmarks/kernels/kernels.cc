@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // How long the element kernels take on one core, and what part that is of what
 // the core can do.
+#include <lumbricus/core/mpi_session.h>
 #include <lumbricus/core/registry.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/tangent.h>
@@ -15,6 +16,7 @@
 #include <deal.II/grid/grid_generator.h>
 
 #include <cmath>
+#include <exception>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -370,12 +372,12 @@ namespace
 
 
 int
-main(int argc, char **argv)
+main(int, char **argv)
 {
   prepare_blas(argv);
   try
     {
-      dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+      const MpiSession session(argv[0]);
       std::cerr << blas_warning();
       measure();
     }

@@ -43,6 +43,12 @@ namespace
       return a;
     }
 
+    void
+    scale_stiffness(const double factor) override
+    {
+      a *= factor;
+    }
+
   protected:
     double
     isochoric_energy(const SymmetricTensor<2, dim> &bbar) const override

@@ -2,6 +2,11 @@
 """What the pictures in a report show."""
 
 
+def no_formula(text):
+    """A text of the user's, in which Matplotlib sees no formula."""
+    return text.replace("$", r"\$")
+
+
 def animation_caption(times, with_fibres):
     when = (f"Time t = {times[0]:g}." if len(times) == 1 else
             f"{len(times)} times from t = {times[0]:g} to t = {times[-1]:g}.")

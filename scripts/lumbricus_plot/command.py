@@ -149,6 +149,8 @@ def main(arguments=None):
         out.mkdir(parents=True, exist_ok=True)
         make = make_all if options.thumbnail is None else make_thumbnail
         names, notes = make(run, options, out)
+        if out.samefile(run.path):
+            run.record(names)
     except PlotError as error:
         print(f"lumbricus-plot: {error}", file=sys.stderr)
         return 1

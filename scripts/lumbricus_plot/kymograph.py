@@ -5,6 +5,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import FuncNorm, Normalize
 
+from .captions import no_formula
 from .fields import MEAN_WEIGHTS, MIDDLE, nodes_of_cells
 from .figures import INCHES, cell_borders, choose_times, save
 from .scene import MUSCLE_COLOURS
@@ -79,7 +80,7 @@ def panels(run):
         high = max(1, max(np.nanmax(s) for s in known))
         norm = Normalize(min(low, high - 1e-6), high)
         for muscle, values in stretches.items():
-            name = muscle.replace("_", " ")
+            name = no_formula(muscle.replace("_", " "))
             found.append((f"activation: active stretch of muscle “{name}”",
                           "-", times, values, MUSCLE_COLOURS.reversed(),
                           norm))

@@ -10,6 +10,7 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 
 from .body import Body
+from .captions import no_formula
 from .fields import read_grid, read_series
 from .tables import read_parameters, read_table
 
@@ -170,6 +171,18 @@ class RunFolder:
                             f"program writes it ({reason}); bring the files "
                             "back, or run the case again.") from error
 
+    def record(self, names):
+        """Note in lumbricus.run what was drawn here, so that a fresh start of
+        the run removes it with the rest."""
+        file_name = self.path / "lumbricus.run"
+        if not file_name.exists():
+            return
+        known = read_text(file_name).splitlines()
+        lines = [f"file {name}\n" for name in names
+                 if f"file {name}" not in known]
+        with open(file_name, "a", encoding="utf-8") as file:
+            file.write("".join(lines))
+
     def number(self, name):
         """A parameter as a number, None where there is none."""
         try:
@@ -179,7 +192,7 @@ class RunFolder:
 
     def figure_title(self):
         """In which Matplotlib sees no formula."""
-        return self.title.replace("$", r"\$")
+        return no_formula(self.title)
 
     def versions(self):
         """The first lines of the log, and of what restarts added to it."""

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace lumbricus
 {
@@ -41,7 +42,17 @@ namespace lumbricus
           const unsigned int        segment,
           const dealii::Point<dim> &X) const override;
 
+    /** The times at which pulses begin, peak and end. */
+    std::vector<double>
+    marks(const unsigned int segment,
+          const double       from,
+          const double       to) const override;
+
   private:
+    /** By how many periods the pulses of @p segment are ahead of time. */
+    double
+    lead(const unsigned int segment) const;
+
     double
     pulse(const double phase) const;
 
@@ -145,10 +156,40 @@ namespace lumbricus
                         const unsigned int segment,
                         const dealii::Point<dim> & /*X*/) const
   {
+    return 1. - amplitude * ramp(t) * pulse(t / period + lead(segment));
+  }
+
+
+
+  double
+  WaveActivation::lead(const unsigned int segment) const
+  {
     const double lag = (segment - 1.) / wavelength;
-    const double p =
-      t / period + (towards == "towards tail" ? -lag : lag) + phase;
-    return 1. - amplitude * ramp(t) * pulse(p);
+    return (towards == "towards tail" ? -lag : lag) + phase;
+  }
+
+
+
+  std::vector<double>
+  WaveActivation::marks(const unsigned int segment,
+                        const double       from,
+                        const double       to) const
+  {
+    // The first hundred pulses are more than a step can go past.
+    constexpr unsigned int most_pulses = 100;
+    std::vector<double>    times;
+    const double           ahead = lead(segment);
+    const double           first = std::floor(from / period + ahead);
+    for (unsigned int i = 0; i < most_pulses; ++i)
+      for (const double part : {0., duty / 2., duty})
+        {
+          const double t = (first + i + part - ahead) * period;
+          if (t >= to)
+            return times;
+          if (t > from)
+            times.push_back(t);
+        }
+    return times;
   }
 
 

@@ -2,9 +2,12 @@
 #include <lumbricus/adaptivity/error_estimate.h>
 #include <lumbricus/discretization/same_cell.h>
 
+#include <deal.II/fe/fe.h>
 #include <deal.II/fe/fe_dgq.h>
+#include <deal.II/fe/fe_update_flags.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/filtered_iterator.h>
+#include <deal.II/meshworker/assemble_flags.h>
 #include <deal.II/meshworker/mesh_loop.h>
 
 #include <cmath>

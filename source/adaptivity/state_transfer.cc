@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/adaptivity/state_transfer.h>
 #include <lumbricus/discretization/cell_state.h>
+#include <lumbricus/discretization/local_constraints.h>
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/distributed/cell_data_transfer.templates.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgp.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/full_matrix.h>
 
 #include <vector>
 
@@ -130,7 +133,8 @@ namespace lumbricus
     void
     make_conforming(const MixedSpace &space, State &state)
     {
-      dealii::AffineConstraints<double> hanging_nodes(space.locally_relevant);
+      auto hanging_nodes =
+        local_constraints(space.locally_owned, space.locally_relevant);
       dealii::DoFTools::make_hanging_node_constraints(space.dof_handler,
                                                       hanging_nodes);
       hanging_nodes.close();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/anatomy/anatomy.h>
+#include <lumbricus/anatomy/stiffness_ratio.h>
 #include <lumbricus/core/exceptions.h>
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -37,11 +39,21 @@ namespace lumbricus
       return true;
 
     std::vector<std::string> names;
+    std::set<std::string>    liquids;
     if (extent == Extent::chosen)
       for (const TissueName &tissue : geometry_choice->tissues())
-        names.push_back(tissue.name);
+        {
+          names.push_back(tissue.name);
+          if (tissue.liquid)
+            liquids.insert(tissue.name);
+        }
+    const bool has_wall = liquids.size() < names.size();
     prm.enter_subsection("Tissues");
-    extended |= tissues.extend_parameters(prm, extent, names, "<tissue>");
+    extended |= tissues.extend_parameters(
+      prm, extent, names, "<tissue>", [&](Tissue &tissue) {
+        if (has_wall && liquids.count(tissue.name()) > 0)
+          tissue.make_liquid();
+      });
     prm.leave_subsection();
 
     prm.enter_subsection("Muscles");
@@ -59,7 +71,28 @@ namespace lumbricus
     within_section("Geometry", [&]() { geometry_choice.check_parameters(); });
     within_section("Tissues", [&]() { tissues.check_parameters(); });
     within_section("Muscles", [&]() { muscles.check_parameters(); });
+    check_field_names();
     check_liquids();
+    StiffnessRatio(*this).check();
+  }
+
+
+
+  void
+  Anatomy::check_field_names() const
+  {
+    std::map<std::string, std::string> muscle_of_field;
+    for (std::size_t i = 0; i < muscles.size(); ++i)
+      {
+        const std::string &name  = muscles[i].name();
+        const std::string  field = muscles[i].field_name();
+        const auto other = muscle_of_field.insert({field, name}).first->second;
+        AssertThrow(other == name,
+                    ExcParameter("Muscles/" + name,
+                                 "has the fields of 'Muscles/" + other +
+                                   "' in the VTU files, where both are '" +
+                                   field + "'. Rename one of the muscles."));
+      }
   }
 
 
@@ -156,6 +189,38 @@ namespace lumbricus
 
 
 
+  std::vector<LoadCurve>
+  Anatomy::load_curves(
+    const dealii::parallel::TriangulationBase<dim> &triangulation) const
+  {
+    // All ranks have all cells of the coarse mesh.
+    constexpr std::size_t most_points = 5;
+    std::map<std::pair<unsigned int, const Muscle *>,
+             std::vector<dealii::Point<dim>>>
+      centers;
+    std::vector<std::pair<unsigned int, const Muscle *>> in_order;
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      {
+        const Region region = Region::of(cell->material_id());
+        for (const Muscle *muscle : muscles_of(region.tissue))
+          {
+            auto &points = centers[{region.segment + 1, muscle}];
+            if (points.empty())
+              in_order.push_back({region.segment + 1, muscle});
+            points.push_back(cell->center());
+          }
+      }
+
+    std::vector<LoadCurve> curves;
+    for (const auto &where : in_order)
+      curves.push_back(
+        where.second->load_curve(where.first,
+                                 some_of(centers[where], most_points)));
+    return curves;
+  }
+
+
+
   const Geometry &
   Anatomy::geometry() const
   {
@@ -169,6 +234,14 @@ namespace lumbricus
   {
     AssertIndexRange(i, tissue_names.size());
     return *tissues.find(tissue_names[i].name);
+  }
+
+
+
+  const Tissue &
+  Anatomy::tissue(const std::string &name) const
+  {
+    return *tissues.find(name);
   }
 
 

@@ -3,6 +3,7 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/expression.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -74,6 +75,16 @@ namespace lumbricus
 
 
 
+  std::string
+  Muscle::field_name() const
+  {
+    std::string name = muscle_name;
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+  }
+
+
+
   dealii::Tensor<1, dim>
   Muscle::fibre_direction(const dealii::Point<dim> &X) const
   {
@@ -92,10 +103,49 @@ namespace lumbricus
 
 
 
+  bool
+  Muscle::fibres_are_sampled() const
+  {
+    return fibre_choice->is_sampled();
+  }
+
+
+
   double
-  Muscle::active_stretch(const double              t,
+  Muscle::active_stretch(const LoadTime           &t,
                          const unsigned int        segment,
                          const dealii::Point<dim> &X) const
+  {
+    return t.take(
+      [&](const double at) { return active_stretch_at(at, segment, X); }, 1.);
+  }
+
+
+
+  LoadCurve
+  Muscle::load_curve(const unsigned int                     segment,
+                     const std::vector<dealii::Point<dim>> &points) const
+  {
+    LoadCurve curve;
+    curve.what    = "the active stretch of muscle '" + muscle_name + "'";
+    curve.where   = " in segment " + std::to_string(segment);
+    curve.at_rest = 1.;
+    for (const dealii::Point<dim> &X : points)
+      curve.values.push_back([this, segment, X](const double t) {
+        return activation_choice->value(t, segment, X);
+      });
+    curve.marks = [this, segment](const double from, const double to) {
+      return activation_choice->marks(segment, from, to);
+    };
+    return curve;
+  }
+
+
+
+  double
+  Muscle::active_stretch_at(const double              t,
+                            const unsigned int        segment,
+                            const dealii::Point<dim> &X) const
   {
     const double lambda = activation_choice->value(t, segment, X);
     if (!(lambda > 0. && std::isfinite(lambda)))

@@ -7,8 +7,20 @@ namespace lumbricus
 {
   Tissue::Tissue(const std::string &name)
     : tissue_name(name)
-    , law_choice("Law", "Neo-Hooke", "The constitutive law.")
+    , law_choice("Law",
+                 "Neo-Hooke",
+                 "The constitutive law. In a liquid with a wall around it, it "
+                 "has by default a thousandth of the stiffness given here.")
   {}
+
+
+
+  void
+  Tissue::make_liquid()
+  {
+    law_choice.prepare_with(
+      [](MaterialLaw &law) { law.scale_stiffness(1. / 1000.); });
+  }
 
 
 
@@ -20,7 +32,7 @@ namespace lumbricus
                       muscle_names,
                       "The muscles whose fibres run in this tissue, each a "
                       "section in Muscles; empty for a passive tissue.",
-                      dealii::Patterns::List(Name()));
+                      NameList());
   }
 
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/checkpoint/checkpoint.h>
+#include <lumbricus/checkpoint/checkpoint_folders.h>
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/item_lines.h>
 
-#include <boost/crc.hpp>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,6 +12,7 @@
 #include <iterator>
 #include <numeric>
 #include <sstream>
+#include <system_error>
 
 namespace lumbricus
 {
@@ -17,25 +20,10 @@ namespace lumbricus
   {
     namespace files = std::filesystem;
 
-    const std::string folder_name  = "checkpoints";
-    const std::string manifest_end = "checksum ";
-    const std::string mesh_header  = "cells that are refined\n";
+    const std::string mesh_header = "cells that are refined\n";
 
-    std::string
-    cells_file(const unsigned int rank)
-    {
-      return "cells." + std::to_string(rank);
-    }
-
-
-
-    std::uint32_t
-    checksum(const std::string &content)
-    {
-      boost::crc_32_type crc;
-      crc.process_bytes(content.data(), content.size());
-      return crc.checksum();
-    }
+    // The largest text that is read: no run has that many pictures.
+    constexpr std::uintmax_t largest_text = 1 << 28;
 
 
 
@@ -55,16 +43,15 @@ namespace lumbricus
                     const std::string &name,
                     const std::string &content)
     {
-      folder.write(checkpoint + "/" + name,
+      folder.write(checkpoint_in_folder(checkpoint) + "/" + name,
                    [&](std::ostream &out) { out << content; });
       const std::string file_name =
-        folder.path() + "/" + checkpoint + "/" + name;
+        checkpoint_path(folder, checkpoint) + "/" + name;
       AssertThrow(content_of(file_name) == content,
                   ExcSolveFailed("The file '" + file_name +
                                  "' is not on disk as it was written. Check "
                                  "the disk."));
-      return "file " + std::to_string(checksum(content)) + " " +
-             std::to_string(content.size()) + " " + name + "\n";
+      return Manifest::line_of_file(name, fingerprint(content));
     }
 
 
@@ -81,65 +68,94 @@ namespace lumbricus
 
 
 
-    // All files of this rank. @return their lines in the manifest.
+    // The files that the first rank writes. @return their lines.
     std::string
-    write_files(const RunFolder         &folder,
-                const std::string       &checkpoint,
-                const std::set<CellKey> &refined,
-                const std::string       &cells,
-                const RunProgress       &progress,
-                const std::string       &parameters,
-                const unsigned int       rank)
+    write_common_files(const RunFolder         &folder,
+                       const std::string       &checkpoint,
+                       const std::set<CellKey> &refined,
+                       const RunProgress       &progress,
+                       const RunRequest        &request)
     {
-      std::string lines;
-      if (rank == 0)
-        {
-          std::ostringstream text;
-          progress.write(text);
-          lines +=
-            write_and_check(folder, checkpoint, "mesh", mesh_content(refined)) +
-            write_and_check(folder, checkpoint, "progress", text.str()) +
-            write_and_check(folder, checkpoint, "parameters.prm", parameters);
-        }
-      return lines +
-             write_and_check(folder, checkpoint, cells_file(rank), cells);
+      std::ostringstream text;
+      progress.write(text);
+      const auto write = [&](const std::string &name,
+                             const std::string &content) {
+        return write_and_check(folder, checkpoint, name, content);
+      };
+      return write(Manifest::mesh, mesh_content(refined)) +
+             write(Manifest::progress, text.str()) +
+             write(Manifest::inputs, to_text(request.input_files)) +
+             write(Manifest::parameters, request.parameters);
     }
 
 
 
-    // The numbered folders, newest first.
-    std::vector<std::string>
-    numbered_folders(const std::string &run_folder)
+    // The whole of a file that has to be there, of no more than @p most bytes.
+    std::string
+    read_regular(const std::string   &path,
+                 const std::string   &name,
+                 const std::uintmax_t most)
     {
-      std::vector<std::string> names;
-      std::error_code          error;
-      for (const auto &entry :
-           files::directory_iterator(run_folder + "/" + folder_name, error))
-        names.push_back(entry.path().filename().string());
-      std::sort(names.rbegin(), names.rend());
-      return names;
+      const std::string file_name = path + "/" + name;
+      std::error_code   error;
+      AssertThrow(files::is_regular_file(
+                    files::symlink_status(file_name, error)),
+                  ExcDamaged("does not have the file '" + name + "'."));
+      AssertThrow(files::file_size(file_name, error) <= most,
+                  ExcDamaged("has a file '" + name + "' of more than " +
+                             std::to_string(most) + " bytes."));
+      return content_of(file_name);
     }
 
 
 
-    // Remove all but this checkpoint and the newest older one that is complete.
-    void
-    remove_old(const std::string &run_folder, const std::string &current)
+    // The same, as the manifest says it is.
+    std::string
+    read_listed(const std::string   &path,
+                const std::string   &name,
+                const Manifest      &manifest,
+                const std::uintmax_t most)
     {
-      bool kept = false;
-      for (const std::string &name : numbered_folders(run_folder))
+      const std::string content = read_regular(path, name, most);
+      const Fingerprint listed  = manifest.files.at(name);
+      AssertThrow(content.size() == listed.size,
+                  ExcDamaged("has a file '" + name + "' of " +
+                             std::to_string(content.size()) +
+                             " bytes instead of " +
+                             std::to_string(listed.size) + "."));
+      AssertThrow(fingerprint(content) == listed,
+                  ExcDamaged("has a file '" + name +
+                             "' whose checksum is wrong."));
+      return content;
+    }
+
+
+
+    // Run @p read. An ExcDamaged of it is about the file @p name.
+    template <typename Read>
+    auto
+    reading(const std::string &name, const Read &read)
+    {
+      try
         {
-          const files::path path = files::path(run_folder) / folder_name / name;
-          const bool        older = name < current;
-          if (name == current ||
-              (older && !kept && files::exists(path / "MANIFEST")))
-            {
-              kept = kept || older;
-              continue;
-            }
-          std::error_code error;
-          files::remove_all(path, error);
+          return read();
         }
+      catch (const ExcDamaged &exception)
+        {
+          throw ExcDamaged("has a file '" + name + "' that " +
+                           plain_message(exception));
+        }
+    }
+
+
+
+    std::string
+    no_checkpoint(const std::string &run_folder, const std::string &skipped)
+    {
+      return "The folder '" + run_folder +
+             "' has no checkpoint to go on from.\n" + skipped +
+             "Give the output folder of a run with 'Checkpoints', or start "
+             "the run from its parameter file.";
     }
   } // namespace
 
@@ -151,165 +167,212 @@ namespace lumbricus
                    const MixedSpace   &space,
                    const State        &state,
                    const RunProgress  &progress,
-                   const std::string  &parameters)
+                   const RunRequest   &request)
   {
     const MPI_Comm     comm = space.communicator();
     const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(comm);
-    const std::string name = dealii::Utilities::int_to_string(progress.step, 6);
-    const std::string checkpoint = folder_name + "/" + name;
-    const std::string path       = folder.path() + "/" + checkpoint;
+    const std::string  name = checkpoint_name(progress.step);
 
     const auto         refined = refined_cells(triangulation);
     std::ostringstream cells;
     write_cells(space, state, cells);
 
-    std::string reason;
-    if (rank == 0)
-      {
-        std::error_code error;
-        files::remove_all(path, error);
-        files::create_directories(path, error);
-        if (error)
-          reason = "The folder '" + path +
-                   "' cannot be made: " + error.message() + ".";
-      }
-    throw_on_all_ranks<ExcSolveFailed>(reason, comm);
+    folder.on_first_rank([&]() { make_checkpoint_folder(folder, name); });
 
-    std::string lines;
+    std::string lines, reason;
     try
       {
-        lines = write_files(
-          folder, checkpoint, refined, cells.str(), progress, parameters, rank);
+        if (rank == 0)
+          lines = write_common_files(folder, name, refined, progress, request);
+        lines +=
+          write_and_check(folder, name, Manifest::cells(rank), cells.str());
       }
     catch (const ExcSolveFailed &exception)
       {
         reason = plain_message(exception);
       }
-    lines += "cells " + std::to_string(rank) + " " +
-             std::to_string(triangulation.n_locally_owned_active_cells()) +
-             "\n";
+    lines +=
+      Manifest::line_of_cells(rank,
+                              triangulation.n_locally_owned_active_cells());
     const auto all_lines = dealii::Utilities::MPI::gather(comm, lines);
     reason               = first_message(reason, comm);
 
     if (reason.empty() && rank == 0)
       try
         {
-          std::string manifest = "version " LUMBRICUS_VERSION "\n";
-          for (const std::string &of_rank : all_lines)
-            manifest += of_rank;
-          folder.write(checkpoint + "/MANIFEST", [&](std::ostream &out) {
-            out << manifest << manifest_end << checksum(manifest) << '\n';
-          });
-          remove_old(folder.path(), name);
+          write_and_check(
+            folder,
+            name,
+            Manifest::file_name,
+            Manifest::text(folder.record().run_id(),
+                           std::accumulate(all_lines.begin(),
+                                           all_lines.end(),
+                                           std::string())));
+          remove_old_checkpoints(folder, name);
         }
       catch (const ExcSolveFailed &exception)
         {
           reason = plain_message(exception);
         }
     if (!reason.empty() && rank == 0)
-      {
-        std::error_code error;
-        files::remove_all(path, error);
-      }
+      remove_checkpoint(folder, name);
     throw_on_all_ranks<ExcSolveFailed>(reason, comm);
   }
 
 
 
-  Checkpoint
-  Checkpoint::newest(const std::string &run_folder,
-                     std::string       &skipped,
-                     const MPI_Comm     comm)
+  void
+  Checkpoint::check_folder(const std::string &run_folder, const MPI_Comm comm)
   {
-    Checkpoint  found;
+    std::error_code error;
+    throw_on_all_ranks<ExcInput>(
+      files::is_directory(run_folder + "/checkpoints", error) ?
+        "" :
+        no_checkpoint(run_folder, ""),
+      comm);
+  }
+
+
+
+  Checkpoint
+  Checkpoint::newest(const RunFolder &folder,
+                     std::string     &skipped,
+                     const MPI_Comm   comm)
+  {
+    Texts       texts;
     std::string path;
     if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
-      for (const std::string &name : numbered_folders(run_folder))
+      for (const std::string &name : checkpoints_of(folder))
         {
-          found                   = Checkpoint();
-          found.path              = run_folder + "/" + folder_name + "/" + name;
-          const std::string wrong = found.read_manifest(true);
-          if (wrong.empty())
+          const std::string candidate = checkpoint_path(folder, name);
+          std::string       wrong;
+          Checkpoint        tried;
+          try
             {
-              path = found.path;
+              texts = read(candidate, folder.record().run_id());
+              tried.take(texts);
+              AssertThrow(checkpoint_name(tried.run_progress.step) == name,
+                          ExcDamaged("is of step " +
+                                     std::to_string(tried.run_progress.step) +
+                                     "."));
+              path = candidate;
               break;
             }
-          skipped += "The checkpoint '" + found.path +
-                     "' cannot be used: " + wrong + " It is left out.\n";
+          catch (const ExcDamaged &exception)
+            {
+              wrong = plain_message(exception);
+            }
+          catch (const ExcUnknownItem &exception)
+            {
+              const std::string &version = tried.manifest.version;
+              wrong = "is of " +
+                      (version.empty() ? "another version" :
+                                         "version " + version) +
+                      " and has '" + plain_message(exception) +
+                      "', which this version, " LUMBRICUS_VERSION
+                      ", does not know. Go on with that version.";
+            }
+          skipped += "The checkpoint '" + candidate +
+                     "' cannot be used: it " + wrong + " It is left out.\n";
         }
 
     path = dealii::Utilities::MPI::broadcast(comm, path);
-    AssertThrow(!path.empty(),
-                ExcInput("The folder '" + run_folder +
-                         "' has no checkpoint to go on from.\n" + skipped +
-                         "Give the output folder of a run with 'Checkpoints', "
-                         "or start the run from its parameter file."));
-    found                   = Checkpoint();
-    found.path              = path;
-    const std::string wrong = found.read_manifest(false);
-    throw_on_all_ranks<ExcInput>(wrong, comm);
+    throw_on_all_ranks<ExcInput>(
+      path.empty() ? no_checkpoint(folder.path(), skipped) : "", comm);
+    Checkpoint found;
+    found.folder_path = path;
+    found.take(dealii::Utilities::MPI::broadcast(comm, texts));
     return found;
   }
 
 
 
-  std::string
-  Checkpoint::read_manifest(const bool check_files)
+  Checkpoint::Texts
+  Checkpoint::read(const std::string &path, const std::string &run_id)
   {
-    const std::string text = content_of(path + "/MANIFEST");
-    const auto        end  = text.rfind(manifest_end);
-    if (text.empty() || end == std::string::npos)
-      return "it was not completed.";
-    std::istringstream manifest(text.substr(0, end));
-    if (text.substr(end) !=
-        manifest_end + std::to_string(checksum(manifest.str())) + "\n")
-      return "the checksum of its MANIFEST is wrong.";
+    std::error_code error;
+    AssertThrow(files::exists(path + "/" + Manifest::file_name, error),
+                ExcDamaged("was not completed."));
+    Texts texts;
+    texts.manifest = read_regular(path, Manifest::file_name, largest_text);
+    const Manifest manifest = reading(Manifest::file_name, [&]() {
+      return Manifest::read(texts.manifest);
+    });
+    AssertThrow(manifest.run_id == run_id,
+                ExcDamaged("is of another run than the folder."));
 
-    std::string item;
-    while (manifest >> item)
-      if (item == "version")
-        manifest >> version;
-      else if (item == "cells")
-        {
-          unsigned int rank, n_cells;
-          manifest >> rank >> n_cells;
-          cells_of_rank.resize(
-            std::max<std::size_t>(cells_of_rank.size(), rank + 1));
-          cells_of_rank[rank] = n_cells;
-        }
-      else if (item == "file")
-        {
-          std::uint32_t crc;
-          std::size_t   size;
-          std::string   name;
-          manifest >> crc >> size >> name;
-          if (!check_files)
-            continue;
-          const std::string content = content_of(path + "/" + name);
-          if (content.size() != size)
-            return "the file '" + name + "' has " +
-                   std::to_string(content.size()) + " bytes instead of " +
-                   std::to_string(size) + ".";
-          if (checksum(content) != crc)
-            return "the checksum of the file '" + name + "' is wrong.";
-        }
+    const auto listed = [&](const std::string   &name,
+                            const std::uintmax_t most) {
+      return read_listed(path, name, manifest, most);
+    };
+    texts.progress   = listed(Manifest::progress, largest_text);
+    texts.inputs     = listed(Manifest::inputs, largest_text);
+    texts.parameters = listed(Manifest::parameters, largest_text);
 
-    std::ifstream in(path + "/progress");
-    std::string   unknown;
-    run_progress = RunProgress::read(in, unknown);
-    return unknown.empty() ?
-             "" :
-             "it is of version " + version + " and has '" + unknown +
-               "', which this version, " LUMBRICUS_VERSION
-               ", does not know. Go on with that version.";
+    // A cell that is cut gives eight, of which seven are more than before.
+    const std::uintmax_t n_cells =
+      std::accumulate(manifest.cells_of_rank.begin(),
+                      manifest.cells_of_rank.end(),
+                      std::uintmax_t(0));
+    texts.mesh = listed(Manifest::mesh,
+                        mesh_header.size() + n_cells / 7 * sizeof(CellKey));
+    AssertThrow(texts.mesh.compare(0, mesh_header.size(), mesh_header) == 0 &&
+                  (texts.mesh.size() - mesh_header.size()) % sizeof(CellKey) ==
+                    0,
+                ExcDamaged("has a file '" + Manifest::mesh +
+                           "' that is not one of cells."));
+
+    for (unsigned int rank = 0; rank < manifest.cells_of_rank.size(); ++rank)
+      {
+        // The size first: a file with holes may be larger than any disk.
+        const std::string name   = Manifest::cells(rank);
+        const Fingerprint listed = manifest.files.at(name);
+        const std::string file   = path + "/" + name;
+        const bool is_file = files::is_regular_file(
+          files::symlink_status(file, error));
+        const auto size = is_file ? files::file_size(file, error) : 0;
+        AssertThrow(is_file && !error && size == listed.size,
+                    ExcDamaged("has a file '" + name + "' of " +
+                               std::to_string(size) + " bytes instead of " +
+                               std::to_string(listed.size) + "."));
+        const auto content = fingerprint_of_file(file);
+        AssertThrow(content && content->value() == listed,
+                    ExcDamaged("has a file '" + name +
+                               "' whose checksum is wrong."));
+      }
+    return texts;
   }
 
 
 
-  std::string
-  Checkpoint::parameter_file() const
+  void
+  Checkpoint::take(const Texts &texts)
   {
-    return path + "/parameters.prm";
+    manifest     = Manifest::read(texts.manifest);
+    run_progress = reading(Manifest::progress, [&]() {
+      return RunProgress::read(texts.progress);
+    });
+    run_request.input_files = reading(Manifest::inputs, [&]() {
+      return read_input_files(texts.inputs);
+    });
+    run_request.parameters = texts.parameters;
+    mesh                   = texts.mesh;
+  }
+
+
+
+  const std::string &
+  Checkpoint::path() const
+  {
+    return folder_path;
+  }
+
+
+
+  const RunRequest &
+  Checkpoint::request() const
+  {
+    return run_request;
   }
 
 
@@ -317,7 +380,7 @@ namespace lumbricus
   const std::string &
   Checkpoint::program_version() const
   {
-    return version;
+    return manifest.version;
   }
 
 
@@ -333,13 +396,12 @@ namespace lumbricus
   void
   Checkpoint::refine(ParallelMesh &triangulation) const
   {
-    const std::string content = content_of(path + "/mesh");
     std::set<CellKey> refined;
-    for (std::size_t at = mesh_header.size(); at < content.size();
+    for (std::size_t at = mesh_header.size(); at < mesh.size();
          at += sizeof(CellKey))
       {
         CellKey key;
-        std::copy_n(content.data() + at,
+        std::copy_n(mesh.data() + at,
                     sizeof(CellKey),
                     reinterpret_cast<char *>(key.data()));
         refined.insert(key);
@@ -357,39 +419,49 @@ namespace lumbricus
 
     // Ranks own contiguous parts of the space-filling curve, then and now: read
     // the files that overlap with this rank's part.
-    unsigned int n_owned = 0;
+    std::uintmax_t n_owned = 0;
     for (const auto &cell : space.triangulation.active_cell_iterators())
       n_owned += cell->is_locally_owned();
     const MPI_Comm comm  = space.communicator();
     const auto n_of_rank = dealii::Utilities::MPI::all_gather(comm, n_owned);
     const auto this_rank =
       n_of_rank.begin() + dealii::Utilities::MPI::this_mpi_process(comm);
-    const unsigned int first =
-      std::accumulate(n_of_rank.begin(), this_rank, 0u);
-    const unsigned int n_cells =
+    const std::uintmax_t first =
+      std::accumulate(n_of_rank.begin(), this_rank, std::uintmax_t(0));
+    const std::uintmax_t n_cells =
       std::accumulate(this_rank, n_of_rank.end(), first);
 
-    unsigned int n_read = 0, begin = 0;
-    for (unsigned int rank = 0; rank < cells_of_rank.size(); ++rank)
+    CellReader     reader(space);
+    std::uintmax_t begin = 0;
+    for (unsigned int rank = 0; rank < manifest.cells_of_rank.size(); ++rank)
       {
-        const unsigned int end = begin + cells_of_rank[rank];
+        const std::uintmax_t end = begin + manifest.cells_of_rank[rank];
         if (begin < first + n_owned && first < end)
           {
-            std::ifstream in(path + "/" + cells_file(rank), std::ios::binary);
-            n_read += read_cells(space, in, state);
+            std::ifstream in(folder_path + "/" + Manifest::cells(rank),
+                             std::ios::binary);
+            reader.read(in, state);
           }
         begin = end;
       }
     state.compress();
 
-    const std::string wrong =
-      n_read == n_owned && begin == n_cells ?
+    const std::string advice = " Go on with the version that wrote it, " +
+                               manifest.version +
+                               ", or start the run from its parameter file.";
+    throw_on_all_ranks<ExcInput>(
+      reader.is_complete() && begin == n_cells ?
         "" :
-        "The checkpoint '" + path + "' is of " + std::to_string(begin) +
+        "The checkpoint '" + folder_path + "' is of " + std::to_string(begin) +
           " cells, but the mesh of its parameters has " +
-          std::to_string(n_cells) + ". Go on with the version that wrote it, " +
-          version + ", or start the run from its parameter file.";
-    throw_on_all_ranks<ExcInput>(wrong, comm);
+          std::to_string(n_cells) + (begin == n_cells ? " others." : ".") +
+          advice,
+      comm);
+    throw_on_all_ranks<ExcInput>(
+      reader.is_finite() ? "" :
+                           "The checkpoint '" + folder_path +
+                             "' has a state that is not finite." + advice,
+      comm);
     return state;
   }
 } // namespace lumbricus

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/checkpoint/checkpoint_schedule.h>
 
+#include <deal.II/base/patterns.h>
+
 namespace lumbricus
 {
   void
@@ -33,7 +35,7 @@ namespace lumbricus
   bool
   CheckpointSchedule::due(const unsigned int number, const MPI_Comm comm) const
   {
-    if (every_steps > 0 && number % every_steps == 0)
+    if (due_by_number(number))
       return true;
     if (!(every_minutes > 0.))
       return false;
@@ -41,6 +43,14 @@ namespace lumbricus
     return dealii::Utilities::MPI::broadcast(comm,
                                              since_last.wall_time() >
                                                60. * every_minutes);
+  }
+
+
+
+  bool
+  CheckpointSchedule::due_by_number(const unsigned int number) const
+  {
+    return every_steps > 0 && number % every_steps == 0;
   }
 
 

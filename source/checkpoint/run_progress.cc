@@ -1,13 +1,40 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/checkpoint/run_progress.h>
+#include <lumbricus/core/item_lines.h>
+#include <lumbricus/output/vtu_series.h>
 
+#include <cstdint>
 #include <iomanip>
-#include <istream>
 #include <limits>
 #include <ostream>
+#include <set>
 
 namespace lumbricus
 {
+  namespace
+  {
+    constexpr auto any_size     = std::numeric_limits<std::uintmax_t>::max();
+    constexpr auto any_checksum = std::numeric_limits<std::uint32_t>::max();
+
+    // More would not be counted on by one.
+    constexpr unsigned int most_steps =
+      std::numeric_limits<unsigned int>::max() / 2;
+
+
+
+    // "segments.csv": in the folder of the run itself.
+    bool
+    is_name_of_a_table(const std::string &name)
+    {
+      const std::string ending = ".csv";
+      return name.size() > ending.size() && name.front() != '.' &&
+             name.substr(name.size() - ending.size()) == ending &&
+             name.find('/') == std::string::npos;
+    }
+  } // namespace
+
+
+
   // A line per item: its name, then its values; names of files come last.
   void
   RunProgress::write(std::ostream &out) const
@@ -16,8 +43,9 @@ namespace lumbricus
         << "time " << time << "\nstep " << step << "\nstep_size " << step_size
         << "\nelapsed_seconds " << elapsed_seconds << "\nvtu_is_current "
         << vtu_is_current << '\n';
-    for (const auto &[name, size] : table_sizes)
-      out << "table " << size << ' ' << name << '\n';
+    for (const auto &[name, content] : tables)
+      out << "table " << content.size << ' ' << content.checksum << ' ' << name
+          << '\n';
     for (const auto &[t, name] : vtu_files)
       out << "vtu " << t << ' ' << name << '\n';
   }
@@ -25,38 +53,56 @@ namespace lumbricus
 
 
   RunProgress
-  RunProgress::read(std::istream &in, std::string &unknown)
+  RunProgress::read(const std::string &text)
   {
-    RunProgress progress;
-    std::string item, name;
-    while (in >> item)
-      if (item == "time")
-        in >> progress.time;
-      else if (item == "step")
-        in >> progress.step;
-      else if (item == "step_size")
-        in >> progress.step_size;
-      else if (item == "elapsed_seconds")
-        in >> progress.elapsed_seconds;
-      else if (item == "vtu_is_current")
-        in >> progress.vtu_is_current;
-      else if (item == "table")
-        {
-          std::uintmax_t size;
-          in >> size >> name;
-          progress.table_sizes[name] = size;
-        }
-      else if (item == "vtu")
-        {
-          double t;
-          in >> t >> name;
-          progress.vtu_files.emplace_back(t, name);
-        }
-      else
-        {
-          unknown = item;
-          break;
-        }
+    RunProgress           progress;
+    std::set<std::string> seen;
+    ItemLines             lines(text);
+    while (lines.next())
+      {
+        const std::string item = lines.item();
+        if (item == "table")
+          {
+            Fingerprint content;
+            content.size           = lines.get_count(any_size);
+            content.checksum       = lines.get_count(any_checksum);
+            const std::string name = lines.get_word();
+            if (!is_name_of_a_table(name) ||
+                !progress.tables.emplace(name, content).second)
+              lines.fail();
+            continue;
+          }
+        if (item == "vtu")
+          {
+            const double      t    = lines.get_number(0.);
+            const std::string name = lines.get_word();
+            if (name != VtuSeries::file_name(progress.vtu_files.size()))
+              lines.fail();
+            progress.vtu_files.emplace_back(t, name);
+            continue;
+          }
+        if (item == "time")
+          progress.time = lines.get_number(0.);
+        else if (item == "step")
+          progress.step = lines.get_count(most_steps);
+        else if (item == "step_size")
+          progress.step_size =
+            lines.get_number(std::numeric_limits<double>::min());
+        else if (item == "elapsed_seconds")
+          progress.elapsed_seconds = lines.get_number(0.);
+        else if (item == "vtu_is_current")
+          progress.vtu_is_current = lines.get_count(1);
+        else
+          AssertThrow(false, ExcUnknownItem(item));
+        if (!seen.insert(item).second)
+          lines.fail();
+      }
+    for (const std::string item :
+         {"time", "step", "step_size", "elapsed_seconds", "vtu_is_current"})
+      AssertThrow(seen.count(item) > 0,
+                  ExcDamaged("does not have '" + item + "'."));
+    AssertThrow(!progress.vtu_is_current || !progress.vtu_files.empty(),
+                ExcDamaged("does not have the picture of its state."));
     return progress;
   }
 } // namespace lumbricus

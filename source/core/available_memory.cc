@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/available_memory.h>
 
+#include <deal.II/base/utilities.h>
+
+#include <sys/resource.h>
+
+#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -19,7 +24,29 @@ namespace lumbricus
           return std::stod(line.substr(line.find(':') + 1)) / 1024.;
       return std::numeric_limits<double>::infinity();
     }
+
+
+
+    double
+    megabytes_of_process()
+    {
+      dealii::Utilities::System::MemoryStats memory;
+      dealii::Utilities::System::get_memory_stats(memory);
+      return std::max(0., address_space_limit() - memory.VmSize / 1024.);
+    }
   } // namespace
+
+
+
+  double
+  address_space_limit()
+  {
+    rlimit limit;
+    return getrlimit(RLIMIT_AS, &limit) == 0 &&
+               limit.rlim_cur != RLIM_INFINITY ?
+             limit.rlim_cur / 1024. / 1024. :
+             std::numeric_limits<double>::infinity();
+  }
 
 
 
@@ -31,6 +58,7 @@ namespace lumbricus
     const unsigned int n_ranks =
       dealii::Utilities::MPI::n_mpi_processes(machine);
     MPI_Comm_free(&machine);
-    return dealii::Utilities::MPI::min(megabytes_of_machine() / n_ranks, comm);
+    return dealii::Utilities::MPI::min(
+      std::min(megabytes_of_machine() / n_ranks, megabytes_of_process()), comm);
   }
 } // namespace lumbricus

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/expression.h>
+#include <lumbricus/core/input_limits.h>
+#include <lumbricus/core/user_text.h>
 
 #include <deal.II/base/numbers.h>
 
+#include <cctype>
 #include <iostream>
 #include <sstream>
 #include <streambuf>
@@ -43,12 +46,36 @@ namespace lumbricus
 
 
 
+    // Whether @p name stands in @p formula as a name of its own.
+    bool
+    uses(const std::string &formula, const std::string &name)
+    {
+      const auto in_name = [&](const std::size_t i) {
+        return i < formula.size() &&
+               (std::isalnum(static_cast<unsigned char>(formula[i])) ||
+                formula[i] == '_');
+      };
+      for (auto at = formula.find(name); at != std::string::npos;
+           at      = formula.find(name, at + 1))
+        if ((at == 0 || !in_name(at - 1)) && !in_name(at + name.size()))
+          return true;
+      return false;
+    }
+
+
+
     // What muParser takes, but hardly in the sense that was meant: a comma for
-    // a decimal point, an assignment for a comparison. Empty if there is
-    // nothing.
+    // a decimal point, an assignment for a comparison, chance. Empty if there
+    // is nothing.
     std::string
     misunderstanding(const std::string &formula)
     {
+      for (const std::string chance : {"rand", "rand_seed"})
+        if (uses(formula, chance))
+          return "it has '" + chance +
+                 "', which is another number whenever it is asked, on every "
+                 "rank and after a restart. What differs from place to place "
+                 "has to be a formula in x, y, z, as 'sin(91*x + 37*y)'.";
       int depth = 0;
       for (std::size_t i = 0; i < formula.size(); ++i)
         {
@@ -94,9 +121,14 @@ namespace lumbricus
     std::map<std::string, double> constants = user_constants;
     constants["pi"]                         = dealii::numbers::PI;
 
-    std::string reason = misunderstanding(formula);
+    std::string reason;
+    if (formula.size() > InputLimits::formula)
+      reason = "it has more than " + std::to_string(InputLimits::formula) +
+               " characters.";
+    else
+      reason = misunderstanding(formula);
     if (!reason.empty())
-      ; // muParser would not mind
+      ; // muParser would not mind, or not come to an end
     else if (formula.find_first_not_of(" \t") == std::string::npos)
       reason = "it is empty.";
     else
@@ -114,8 +146,8 @@ namespace lumbricus
         }
     AssertThrow(reason.empty(),
                 ExcInput(
-                  "Parameter '" + name + "': the expression '" + formula +
-                  "' cannot be read: " + reason + "\nIt may use " +
+                  "Parameter '" + name + "': the expression '" +
+                  shortened(formula) + "' cannot be read: " + shortened(reason, 300) + "\nIt may use " +
                   known_symbols(constants) +
                   " and the functions of muParser (sin, exp, if, min, ...)."));
   }
@@ -127,6 +159,14 @@ namespace lumbricus
   {
     parser->set_time(t);
     return parser->value(x);
+  }
+
+
+
+  double
+  Expression::value(const dealii::Point<dim> &x, const LoadTime &t) const
+  {
+    return t.take([&](const double at) { return value(x, at); }, 0.);
   }
 
 

@@ -2,19 +2,82 @@
 #include <lumbricus/core/interruption.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cerrno>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
+#include <set>
 
 namespace lumbricus
 {
   namespace
   {
+    struct Cause
+    {
+      int         signal;
+      const char *words;
+    };
+
+    constexpr Cause causes[] = {
+      {SIGTERM, "Interrupted by SIGTERM."},
+      {SIGINT, "Interrupted by SIGINT (Ctrl-C)."},
+      {SIGHUP, "Interrupted by SIGHUP, because the terminal was closed."},
+      {SIGUSR1, "Interrupted by SIGUSR1."},
+      {SIGPIPE,
+       "Interrupted, because the standard output was closed by what read it. "
+       "With --quiet, or into a file, the run does not need it."}};
+
+    // A handler may use these: they are free of locks.
     volatile std::sig_atomic_t signal_received = 0;
-    unsigned int               n_uninterrupted = 0;
+    std::atomic<std::int64_t>  milliseconds_received{0};
+    static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+    unsigned int n_uninterrupted = 0;
+
+
+
+    std::int64_t
+    milliseconds_now()
+    {
+      std::timespec now = {};
+      clock_gettime(CLOCK_MONOTONIC, &now);
+      return 1000 * std::int64_t(now.tv_sec) + now.tv_nsec / 1000000;
+    }
+
+
 
     void
     note(const int signal)
     {
-      signal_received = signal;
+      constexpr std::int64_t at_once = 1000;
+      const int              number  = errno;
+      if (signal_received == 0)
+        {
+          milliseconds_received = milliseconds_now();
+          signal_received       = signal;
+        }
+      else if (milliseconds_now() - milliseconds_received > at_once)
+        {
+          std::signal(signal, SIG_DFL);
+          std::raise(signal); // when this function has ended
+        }
+      errno = number;
+    }
+
+
+
+    std::set<int>
+    ignored_signals()
+    {
+      std::set<int> ignored;
+      for (const Cause &cause : causes)
+        {
+          struct sigaction action = {};
+          if (sigaction(cause.signal, nullptr, &action) == 0 &&
+              action.sa_handler == SIG_IGN)
+            ignored.insert(cause.signal);
+        }
+      return ignored;
     }
   } // namespace
 
@@ -23,8 +86,35 @@ namespace lumbricus
   void
   watch_for_interruption()
   {
-    std::signal(SIGTERM, note);
-    std::signal(SIGUSR1, note);
+    static const std::set<int> ignored = ignored_signals();
+    for (const Cause &cause : causes)
+      if (cause.signal != SIGPIPE)
+        {
+          struct sigaction action = {};
+          action.sa_handler = ignored.count(cause.signal) > 0 ? SIG_IGN : note;
+          action.sa_flags   = SA_RESTART;
+          sigfillset(&action.sa_mask);
+          sigaction(cause.signal, &action, nullptr);
+        }
+  }
+
+
+
+  void
+  ignore_closed_output()
+  {
+    std::signal(SIGPIPE, SIG_IGN);
+  }
+
+
+
+  void
+  note_closed_output()
+  {
+    if (signal_received != 0)
+      return;
+    milliseconds_received = milliseconds_now();
+    signal_received       = SIGPIPE;
   }
 
 
@@ -36,10 +126,8 @@ namespace lumbricus
       return;
     const int received =
       dealii::Utilities::MPI::max(static_cast<int>(signal_received), comm);
-    AssertThrow(received == 0,
-                ExcInterrupted(std::string("Interrupted by ") +
-                               (received == SIGTERM ? "SIGTERM" : "SIGUSR1") +
-                               "."));
+    for (const Cause &cause : causes)
+      AssertThrow(received != cause.signal, ExcInterrupted(cause.words));
   }
 
 

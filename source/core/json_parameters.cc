@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/input_limits.h>
 #include <lumbricus/core/json_parameters.h>
 #include <lumbricus/core/prm_scanner.h>
+#include <lumbricus/core/user_text.h>
 
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
 
 #include <algorithm>
 #include <istream>
+#include <iterator>
+#include <sstream>
 
 namespace lumbricus
 {
@@ -24,13 +28,45 @@ namespace lumbricus
 
 
 
+    // Boost's parser calls itself for every object and list in another.
+    void
+    check_depth(const std::string &file_name, const std::string &json)
+    {
+      std::size_t depth   = 0;
+      bool        in_text = false;
+      for (std::size_t i = 0; i < json.size(); ++i)
+        {
+          const char c = json[i];
+          if (in_text && c == '\\')
+            ++i;
+          else if (c == '"')
+            in_text = !in_text;
+          else if (!in_text && (c == '{' || c == '['))
+            ++depth;
+          else if (!in_text && (c == '}' || c == ']') && depth > 0)
+            --depth;
+          AssertThrow(depth <= InputLimits::sections,
+                      ExcInput(file_name + ", line " +
+                               std::to_string(1 + std::count(json.begin(),
+                                                             json.begin() + i,
+                                                             '\n')) +
+                               ": more than " +
+                               std::to_string(InputLimits::sections) +
+                               " objects and lists are in each other. Close "
+                               "those that are complete."));
+        }
+    }
+
+
+
     // One line of a .prm file holds it.
     void
     check_text(const std::string &file_name, const std::string &text)
     {
       const std::string unfit = unfit_for_a_line(text);
       AssertThrow(unfit.empty(),
-                  ExcInput(file_name + ": '" + text + "' has " + unfit +
+                  ExcInput(file_name + ": '" + shortened(text) + "' has " +
+                           unfit +
                            " in .prm files. Leave it out."));
     }
 
@@ -44,11 +80,11 @@ namespace lumbricus
           const std::string &name = entry.first;
           check_text(file_name, name);
           AssertThrow(tree.count(name) == 1,
-                      ExcInput(file_name + ": the name '" + name +
+                      ExcInput(file_name + ": the name '" + shortened(name) +
                                "' is there twice in one section. Leave one "
                                "of them out."));
           AssertThrow(name.find_first_of("/=") == std::string::npos,
-                      ExcInput(file_name + ": '" + name +
+                      ExcInput(file_name + ": '" + shortened(name) +
                                "' is no name of a section or parameter. "
                                "Sections are objects, { \"Section\": { "
                                "\"Name\": value } }."));
@@ -66,10 +102,15 @@ namespace lumbricus
       for (const auto &[no_name, element] : array)
         {
           AssertThrow(element.empty(),
-                      ExcInput(file_name + ": the list '" + name +
+                      ExcInput(file_name + ": the list '" + shortened(name) +
                                "' has a list or a section in it. Write lists "
                                "of lists as text, as in a .prm file."));
           check_text(file_name, element.data());
+          AssertThrow(element.data().find_first_of(",;") == std::string::npos,
+                      ExcInput(file_name + ": the list '" + shortened(name) +
+                               "' has '" + shortened(element.data()) +
+                               "' in it, which is a list itself. Write all of "
+                               "it as one text, as in a .prm file."));
           text += (text.empty() ? "" : ", ") + element.data();
         }
       return text;
@@ -102,11 +143,14 @@ namespace lumbricus
   std::string
   prm_from_json(const std::string &file_name, std::istream &in)
   {
+    const std::string json(std::istreambuf_iterator<char>(in), {});
+    check_depth(file_name, json);
     Tree        tree;
     std::string wrong;
     try
       {
-        boost::property_tree::read_json(in, tree);
+        std::istringstream text(json);
+        boost::property_tree::read_json(text, tree);
       }
     catch (const boost::property_tree::json_parser_error &error)
       {

@@ -90,6 +90,14 @@ namespace lumbricus
 
 
 
+  double
+  LoadStepping::smallest_step() const
+  {
+    return smallest;
+  }
+
+
+
   bool
   LoadStepping::finished(const double time) const
   {
@@ -139,9 +147,11 @@ namespace lumbricus
 
 
   void
-  LoadStepping::cut(const double time, const std::string &why)
+  LoadStepping::cut(const double       time,
+                    const double       next,
+                    const std::string &why)
   {
-    size = 0.5 * std::min(step(), next_time(time) - time);
+    size = 0.5 * std::min(step(), next - time);
     if (size < smallest)
       {
         std::ostringstream message;

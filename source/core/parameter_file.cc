@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/json_parameters.h>
+#include <lumbricus/core/names.h>
 #include <lumbricus/core/parameter_file.h>
 #include <lumbricus/core/pattern_words.h>
 #include <lumbricus/core/patterns.h>
 #include <lumbricus/core/prm_scanner.h>
+#include <lumbricus/core/user_text.h>
 
+#include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
+#include <boost/property_tree/json_parser.hpp>
+
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <regex>
+#include <functional>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace lumbricus
 {
@@ -26,44 +27,6 @@ namespace lumbricus
 
     const Style short_style = dealii::ParameterHandler::ShortPRM |
                               dealii::ParameterHandler::KeepDeclarationOrder;
-
-    // "include file.prm" at the start of a line: the file, or nothing.
-    std::string
-    included_file(const std::string &line)
-    {
-      const std::string trimmed =
-        dealii::Utilities::trim(line.substr(0, line.find('#')));
-      for (const std::string keyword : {"include", "INCLUDE"})
-        if (trimmed.size() > keyword.size() &&
-            trimmed.compare(0, keyword.size(), keyword) == 0 &&
-            std::isspace(trimmed[keyword.size()]))
-          return dealii::Utilities::trim(trimmed.substr(keyword.size()));
-      return "";
-    }
-
-
-
-    // All of a file, without the mark that some editors put first.
-    std::string
-    content_of(std::istream &in)
-    {
-      const std::string all(std::istreambuf_iterator<char>(in), {});
-      const std::string mark = "\xEF\xBB\xBF";
-      return all.compare(0, mark.size(), mark) == 0 ? all.substr(mark.size()) :
-                                                      all;
-    }
-
-
-
-    bool
-    is_text(const std::string &content)
-    {
-      return std::none_of(content.begin(), content.end(), [](const char c) {
-        return std::iscntrl(static_cast<unsigned char>(c)) && !std::isspace(c);
-      });
-    }
-
-
 
     // "A/B/" of "A/B/Name".
     std::string
@@ -122,6 +85,7 @@ namespace lumbricus
       char        *end    = nullptr;
       const double number = std::strtod(value.c_str(), &end);
       return end == value.c_str() + value.size() && number > 0. &&
+             value.find_first_of("xX") == std::string::npos &&
              !PositiveNumber().match(value);
     }
 
@@ -135,6 +99,44 @@ namespace lumbricus
         list += (list.empty() ? "'" : ", '") + name + "'";
       return list.empty() ? "none" : list;
     }
+
+
+
+    // What is wrong with a name out of a list, or with the only one.
+    std::string
+    unfit_name_in(const std::string &value)
+    {
+      for (const std::string &name :
+           dealii::Utilities::split_string_list(value, ','))
+        {
+          const std::string unfit = unfit_name(name);
+          if (!unfit.empty())
+            return ": '" + shortened(name) + "' " + unfit;
+        }
+      return "";
+    }
+
+
+
+    // The message on a value that a pattern of this description refuses.
+    std::string
+    wrong_value(const std::string &place,
+                const PrmLine     &line,
+                const std::string &description)
+    {
+      const auto has = [&](const std::string &text) {
+        return description.find(text) != std::string::npos;
+      };
+      std::string words = pattern_in_words(description);
+      if (description == "[A number > 0]" && is_extreme(line.value))
+        words += ", from 1e-100 to 1e100";
+      else if (has("[Name]"))
+        words += unfit_name_in(line.value);
+      if (line.value.find('{') != std::string::npos && !has("[Name]"))
+        words += ". Braces have no meaning here";
+      return place + ": the parameter '" + line.path + "' is '" +
+             shortened(line.value) + "', but has to be " + words + ".";
+    }
   } // namespace
 
 
@@ -142,67 +144,8 @@ namespace lumbricus
   void
   ParameterFile::read(const std::string &file_name)
   {
-    std::ifstream file_stream(file_name);
-    AssertThrow(file_stream && !std::filesystem::is_directory(file_name),
-                ExcInput(
-                  "The parameter file '" + file_name + "'" +
-                  (being_read.empty() ?
-                     std::string() :
-                     ", which '" + being_read.back() + "' includes,") +
-                  " cannot be read. Give the path of a .prm or .json file" +
-                  (being_read.empty() ?
-                     "; the gallery in parameters/ has some." :
-                     ", from the folder of the file that includes it.")));
-    const std::string content = content_of(file_stream);
-    AssertThrow(is_text(content),
-                ExcInput("The parameter file '" + file_name +
-                         "' is not plain text. Give a .prm or .json file, in "
-                         "UTF-8."));
-    std::istringstream in(content);
-    if (std::filesystem::path(file_name).extension() == ".json")
-      {
-        sources.push_back({file_name, prm_from_json(file_name, in), false});
-        return;
-      }
-    const std::string file = std::filesystem::canonical(file_name).string();
-    AssertThrow(std::count(being_read.begin(), being_read.end(), file) == 0,
-                ExcInput("The parameter file '" + file_name +
-                         "' includes itself, perhaps through another file. "
-                         "Remove one of the 'include' lines."));
-    being_read.push_back(file);
-
-    // Lines with an include are left blank, so that line numbers stay right.
-    std::string text;
-    std::string line;
-    bool        at_top = true;
-    for (unsigned int number = 1; std::getline(in, line); ++number)
-      {
-        const std::string included = included_file(line);
-        const std::string content =
-          dealii::Utilities::trim(line.substr(0, line.find('#')));
-        if (!included.empty())
-          {
-            AssertThrow(at_top,
-                        ExcInput(file_name + ", line " +
-                                 std::to_string(number) +
-                                 ": 'include' must come before the first "
-                                 "'set' or 'subsection' of a file. Move it "
-                                 "up."));
-            const std::filesystem::path path(included);
-            read(path.is_absolute() ?
-                   included :
-                   (std::filesystem::path(file_name).parent_path() / path)
-                     .string());
-          }
-        else
-          {
-            at_top = at_top && content.empty();
-            text += line;
-          }
-        text += '\n';
-      }
-    being_read.pop_back();
-    sources.push_back({file_name, text, true});
+    for (ParameterSource &source : read_parameter_file(file_name))
+      sources.push_back(std::move(source));
   }
 
 
@@ -210,81 +153,43 @@ namespace lumbricus
   void
   ParameterFile::set(const std::string &setting)
   {
-    const auto               equals = setting.find('=');
-    const std::string        full   = setting.substr(0, equals);
-    std::vector<std::string> path =
-      dealii::Utilities::split_string_list(full + "/", '/');
-    AssertThrow(equals != std::string::npos && !path.empty() &&
-                  std::count(path.begin(), path.end(), "") == 0,
-                ExcInput("--set '" + setting +
-                         "' is not of the form --set \"Section/Name=value\"."));
-    const std::string unfit = unfit_for_a_line(setting);
-    AssertThrow(unfit.empty(),
-                ExcInput("--set '" + setting + "' has " + unfit +
-                         " in parameter files. Leave it out."));
-    const std::string name = path.back();
-    path.pop_back();
-
-    std::string text;
-    for (const std::string &section : path)
-      text += "subsection " + section + "\n";
-    text += "set " + name + " =" + setting.substr(equals + 1) + "\n";
-    for (unsigned int i = 0; i < path.size(); ++i)
-      text += "end\n";
-    sources.push_back({"--set '" + setting + "'", text, false});
-  }
-
-
-
-  std::string
-  ParameterFile::Source::place(const unsigned int line) const
-  {
-    return has_lines ? name + ", line " + std::to_string(line) : name;
-  }
-
-
-
-  std::string
-  ParameterFile::Source::wrong_value(const std::string &message) const
-  {
-    static const std::regex format(
-      "Line <([0-9]+)>[\\s\\S]*The entry value\\s+([\\s\\S]*?)\\s+for the entry named"
-      "[\\s\\S]*does not match the given pattern:\\s+([\\s\\S]*)");
-    std::smatch parts;
-    if (!std::regex_match(message, parts, format))
-      return name + ": " + message;
-
-    // A value that goes on over several lines is reported with the last one.
-    const unsigned int number = std::stoul(parts[1]);
-    std::string        path;
-    for (const PrmLine &line : scan_prm(text))
-      if (!line.is_section && line.number <= number)
-        path = line.path;
-    return place(number) + ": the parameter '" + path + "' is '" +
-           parts[2].str() + "', but has to be " + pattern_in_words(parts[3]) +
-           (is_extreme(parts[2]) && parts[3] == "[A number > 0]" ?
-              ", from 1e-100 to 1e100." :
-              ".");
+    sources.push_back(read_setting(setting));
   }
 
 
 
   void
-  ParameterFile::check_syntax() const
+  ParameterFile::take_resolved(const std::string &file_name,
+                               const std::string &text)
   {
-    bool any = false;
-    for (const Source &source : sources)
-      {
-        const PrmMistake mistake = first_mistake(source.text);
-        AssertThrow(mistake.line == 0,
-                    ExcInput(source.place(mistake.line) + ": " + mistake.what +
-                             "\nThe lines of a parameter file are 'set Name = "
-                             "value', 'subsection Name' and, for each of "
-                             "these, 'end'; # starts a comment."));
-        for (const PrmLine &line : scan_prm(source.text))
-          any = any || !line.is_section;
-      }
-    AssertThrow(any || sources.empty(),
+    sources.push_back(resolved_source(file_name, text));
+  }
+
+
+
+  std::string
+  ParameterFile::path_of_setting(const std::string &setting)
+  {
+    std::string path;
+    for (const std::string &name :
+         split_path(setting.substr(0, setting.find('='))))
+      path += (path.empty() ? "" : "/") + name;
+    return path;
+  }
+
+
+
+  void
+  ParameterFile::check_any() const
+  {
+    bool any = sources.empty();
+    for (const ParameterSource &source : sources)
+      any = any || std::any_of(source.lines.begin(),
+                               source.lines.end(),
+                               [](const PrmLine &line) {
+                                 return !line.is_section;
+                               });
+    AssertThrow(any,
                 ExcInput("The parameter file '" + sources.back().name +
                          "' sets nothing. Copy one of the gallery in "
                          "parameters/ and change it."));
@@ -293,23 +198,52 @@ namespace lumbricus
 
 
   void
-  ParameterFile::parse_source(const Source &source, const bool skip_undefined)
+  ParameterFile::set_known_values()
   {
+    const Names known = known_names();
+    for (const ParameterSource &source : sources)
+      for (const PrmLine &line : source.lines)
+        if (!line.is_section && known.have(line))
+          set_value(source, line);
+  }
+
+
+
+  // Not by ParameterHandler::parse_input(), which leaves values in braces to
+  // its MultipleParameterLoop: it neither checks them nor hands them on.
+  void
+  ParameterFile::set_value(const ParameterSource &source, const PrmLine &line)
+  {
+    std::vector<std::string> path = split_path(line.path);
+    const std::string        name = path.back();
+    path.pop_back();
+
+    for (const std::string &section : path)
+      prm.enter_subsection(section);
     std::string reason;
     try
       {
-        std::istringstream in(source.text);
-        prm.parse_input(in, source.name, "", skip_undefined);
+        prm.set(name, line.value);
       }
-    catch (const dealii::ParameterHandler::ExcInvalidEntryForPattern &exception)
+    catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern
+             &exception)
       {
-        reason = source.wrong_value(plain_message(exception));
+        // "... does not match the given pattern <description>."
+        const std::string message = plain_message(exception);
+        const std::string before  = "the given pattern <";
+        const auto        begin   = message.rfind(before) + before.size();
+        reason                    = wrong_value(source.place(line),
+                             line,
+                             message.substr(begin, message.rfind('>') - begin));
       }
     catch (const dealii::ExceptionBase &exception)
       {
-        // What first_mistake() does not know.
-        reason = source.name + ": " + plain_message(exception);
+        reason = source.place(line) + ": the parameter '" + line.path +
+                 "' is '" + shortened(line.value) + "': " +
+                 plain_message(exception);
       }
+    for (std::size_t i = 0; i < path.size(); ++i)
+      prm.leave_subsection();
     AssertThrow(reason.empty(), ExcInput(reason));
   }
 
@@ -328,17 +262,66 @@ namespace lumbricus
 
 
 
-  void
-  ParameterFile::check_names() const
+  ParameterFile::Names
+  ParameterFile::names_of_files(const MakeRoot &make_root) const
   {
-    const Names known = known_names();
-    for (const Source &source : sources)
-      for (const PrmLine &line : scan_prm(source.text))
-        {
-          const auto &alike = line.is_section ? known.sections : known.entries;
-          AssertThrow(alike.count(line.path) > 0,
-                      ExcInput(unknown_name(source, line, known)));
-        }
+    ParameterFile files;
+    for (const ParameterSource &source : sources)
+      if (!source.is_setting)
+        files.sources.push_back(source);
+    const std::unique_ptr<ParameterOwner> root = make_root();
+    root->declare_parameters(files.prm);
+    for (bool more = true; more;)
+      {
+        files.set_known_values();
+        try
+          {
+            more = files.extend(*root);
+          }
+        catch (const ExcInput &)
+          {
+            // The files alone lack something that the settings have.
+            more = false;
+          }
+      }
+    return files.known_names();
+  }
+
+
+
+  void
+  ParameterFile::check_names(const MakeRoot &make_root)
+  {
+    const Names            known = known_names();
+    std::unique_ptr<Names> of_files;
+    for (const ParameterSource &source : sources)
+      {
+        std::string unused_section; // with a '/' at its end
+        for (const PrmLine &line : source.lines)
+          {
+            if (known.have(line) ||
+                (!unused_section.empty() &&
+                 line.path.compare(0,
+                                   unused_section.size(),
+                                   unused_section) == 0 &&
+                 of_files->have(line)))
+              continue;
+            if (!source.is_setting && sources.back().is_setting)
+              {
+                if (of_files == nullptr)
+                  of_files = std::make_unique<Names>(names_of_files(make_root));
+                if (of_files->have(line))
+                  {
+                    unused_names.push_back("'" + line.path + "' in " +
+                                           source.place(line));
+                    if (line.is_section)
+                      unused_section = line.path + "/";
+                    continue;
+                  }
+              }
+            AssertThrow(false, ExcInput(unknown_name(source, line, known)));
+          }
+      }
   }
 
 
@@ -347,13 +330,13 @@ namespace lumbricus
   ParameterFile::check_names_in_known_sections() const
   {
     const Names known = known_names();
-    for (const Source &source : sources)
-      for (const PrmLine &line : scan_prm(source.text))
+    for (const ParameterSource &source : sources)
+      for (const PrmLine &line : source.lines)
         {
           std::string section = parent_of(line.path);
           if (!section.empty())
             section.pop_back();
-          AssertThrow(line.is_section || known.entries.count(line.path) > 0 ||
+          AssertThrow(line.is_section || known.have(line) ||
                         (!section.empty() &&
                          known.sections.count(section) == 0),
                       ExcInput(unknown_name(source, line, known)));
@@ -363,13 +346,13 @@ namespace lumbricus
 
 
   std::string
-  ParameterFile::unknown_name(const Source  &source,
-                              const PrmLine &line,
-                              const Names   &known) const
+  ParameterFile::unknown_name(const ParameterSource &source,
+                              const PrmLine         &line,
+                              const Names           &known) const
   {
     const std::string what = line.is_section ? "section" : "parameter";
     const std::string opening =
-      source.place(line.number) + ": the " + what + " '" + line.path + "' is ";
+      source.place(line) + ": the " + what + " '" + line.path + "' is ";
     const std::string name = last_name(line.path);
 
     const std::string choice =
@@ -462,19 +445,31 @@ namespace lumbricus
 
 
   void
-  ParameterFile::parse(ParameterOwner &root)
+  ParameterFile::declare(ParameterOwner &root)
   {
-    check_syntax();
     root.declare_parameters(prm);
     do
-      for (const Source &source : sources)
-        parse_source(source, true);
+      set_known_values();
     while (extend(root));
+  }
 
-    check_names();
-    for (const Source &source : sources)
-      parse_source(source, false);
+
+
+  void
+  ParameterFile::parse(ParameterOwner &root, const MakeRoot &make_root)
+  {
+    check_any();
+    declare(root);
+    check_names(make_root);
     root.check_parameters();
+  }
+
+
+
+  const std::vector<std::string> &
+  ParameterFile::unused() const
+  {
+    return unused_names;
   }
 
 
@@ -487,6 +482,47 @@ namespace lumbricus
 
 
 
+  std::vector<InputFile>
+  ParameterFile::input_files() const
+  {
+    // The way to the patterns of parameters.
+    std::stringstream json;
+    prm.print_parameters(json,
+                         dealii::ParameterHandler::JSON |
+                           dealii::ParameterHandler::KeepDeclarationOrder);
+    using Tree = boost::property_tree::ptree;
+    Tree all;
+    boost::property_tree::read_json(json, all);
+
+    std::vector<InputFile>           files;
+    const dealii::Patterns::FileName one;
+    const std::function<void(const Tree &, const std::string &)> look =
+      [&](const Tree &tree, const std::string &path) {
+        const auto pattern =
+          tree.get_optional<std::string>("pattern_description");
+        if (!pattern)
+          {
+            for (const auto &below : tree)
+              look(below.second,
+                   path.empty() ? below.first : path + "/" + below.first);
+            return;
+          }
+        if (pattern->find(one.description()) == std::string::npos)
+          return;
+        const auto value = tree.get<std::string>("value");
+        const auto names = *pattern == one.description() ?
+                             std::vector<std::string>{value} :
+                             dealii::Utilities::split_string_list(value);
+        for (const std::string &name : names)
+          if (!name.empty())
+            files.push_back(look_at_input_file(path, name));
+      };
+    look(all, "");
+    return files;
+  }
+
+
+
   void
   ParameterFile::print_reference(ParameterOwner &root, std::ostream &out)
   {
@@ -494,8 +530,11 @@ namespace lumbricus
     root.declare_parameters(all);
     while (root.extend_parameters(all, Extent::everything))
       ;
-    all.print_parameters(out,
+    // deal.II takes an output that fails for an error of the program.
+    std::ostringstream text;
+    all.print_parameters(text,
                          dealii::ParameterHandler::PRM |
                            dealii::ParameterHandler::KeepDeclarationOrder);
+    out << text.str();
   }
 } // namespace lumbricus

@@ -36,9 +36,9 @@ namespace lumbricus
         return least + " entries";
       const bool any =
         most == std::to_string(std::numeric_limits<unsigned int>::max());
-      return (!any         ? least + " to " + most + " " :
-              least != "0" ? "at least " + least + " " :
-                             "") +
+      return (any ? (least != "0" ? "at least " + least + " " : "") :
+                    (least != "0" ? least + " to " : "at most ") + most +
+                      " ") +
              "entries";
     }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/input_limits.h>
 #include <lumbricus/core/prm_scanner.h>
+#include <lumbricus/core/user_text.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -56,8 +58,11 @@ namespace lumbricus
           lines.back().text += part;
         }
       for (WholeLine &line : lines)
-        line.text =
-          dealii::Utilities::trim(line.text.substr(0, line.text.find('#')));
+        {
+          line.text =
+            dealii::Utilities::trim(line.text.substr(0, line.text.find('#')));
+          std::replace(line.text.begin(), line.text.end(), '\t', ' ');
+        }
       return lines;
     }
 
@@ -80,12 +85,45 @@ namespace lumbricus
 
 
 
+    // "value" of "Name = value".
+    std::string
+    value_in(const std::string &entry)
+    {
+      return dealii::Utilities::trim(entry.substr(entry.find('=') + 1));
+    }
+
+
+
     // As much of a line as a message takes.
     std::string
     beginning(const std::string &line)
     {
-      constexpr std::size_t most = 60;
-      return line.size() <= most ? line : line.substr(0, most) + "...";
+      return shortened(line, 60);
+    }
+
+
+
+    // What InputLimits or the encoding have against a line; empty if nothing.
+    std::string
+    beyond_limits(const std::string &line,
+                  const std::string &name,
+                  const std::size_t  depth)
+    {
+      if (!is_utf8(line))
+        return "the line is not in UTF-8. Save the file in this encoding.";
+      const std::string quoted = "'" + beginning(line) + "'";
+      if (line.size() > InputLimits::line)
+        return quoted + " is longer than the " +
+               std::to_string(InputLimits::line) +
+               " characters that a line may have. Shorten it.";
+      if (name.size() > InputLimits::name)
+        return quoted + " has a name of more than " +
+               std::to_string(InputLimits::name) + " characters. Shorten it.";
+      if (depth > InputLimits::sections)
+        return quoted + " is in more than " +
+               std::to_string(InputLimits::sections) +
+               " sections. End those that are complete.";
+      return "";
     }
 
 
@@ -152,7 +190,10 @@ namespace lumbricus
           }
         else if (is_entry)
           lines.push_back(
-            {whole.number, join(sections, name_in(entry)), false});
+            {whole.number,
+             join(sections, name_in(entry)),
+             false,
+             value_in(entry)});
       }
     return lines;
   }
@@ -172,6 +213,12 @@ namespace lumbricus
         const std::string name  = is_section ? section : name_in(entry);
         const std::string line  = "'" + beginning(whole.text) + "'";
 
+        const std::string beyond =
+          beyond_limits(whole.text,
+                        is_section || is_entry ? name : "",
+                        open.size());
+        if (!beyond.empty())
+          return {whole.number, beyond};
         if ((is_section || is_entry) && name.find('/') != std::string::npos)
           return {whole.number,
                   line + " has a '/' in its name. Sections are nested here: "
@@ -209,6 +256,10 @@ namespace lumbricus
       return "a '#', which starts a comment";
     if (text.find_first_of("\n\r") != std::string::npos)
       return "a line break";
+    std::string without_tabs = text;
+    std::replace(without_tabs.begin(), without_tabs.end(), '\t', ' ');
+    if (has_control_character(without_tabs))
+      return "a control character, which has no place";
     if (!text.empty() && text.back() == '\\')
       return "a '\\' at its end, with which a line goes on";
     return "";
@@ -227,6 +278,9 @@ namespace lumbricus
   std::string
   nearest(const std::string &word, const std::vector<std::string> &candidates)
   {
+    // No name is so long, and the effort is the product of the lengths.
+    if (word.size() > InputLimits::name)
+      return "";
     std::string  best;
     unsigned int least = 1 + word.size() / 3;
     for (const std::string &candidate : candidates)

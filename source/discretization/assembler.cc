@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/assembler.h>
-#include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/discretization/surface_tractions.h>
 
 #include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lumbricus
 {
@@ -35,9 +36,7 @@ namespace lumbricus
     , face_values(space.mapping,
                   space.fe,
                   space.face_quadrature,
-                  dealii::update_values | dealii::update_gradients |
-                    dealii::update_JxW_values | dealii::update_normal_vectors |
-                    dealii::update_quadrature_points)
+                  SurfaceNodes::update_flags())
   {}
 
 
@@ -47,6 +46,7 @@ namespace lumbricus
   {
     unknowns.reinit(supports.constraints());
     linearisation.reinit();
+    rounding.reinit(shapes);
     linearisation.symmetric = conditions.symmetric();
     for (CellVector *x : {&u, &sum, &rhs})
       unknowns.reinit_vector(*x);
@@ -54,8 +54,16 @@ namespace lumbricus
 
 
 
+  bool
+  Assembler::update_constraints()
+  {
+    return unknowns.update_weights(supports.constraints());
+  }
+
+
+
   Assembler::Report
-  Assembler::residual(const Vector &solution, const double t, Vector &r)
+  Assembler::residual(const Vector &solution, const LoadTime &t, Vector &r)
   {
     const Report report = assemble(solution, t, false);
     std::copy(sum.begin(), sum.end(), r.begin());
@@ -65,7 +73,7 @@ namespace lumbricus
 
 
   Assembler::Report
-  Assembler::linearise(const Vector &solution, const double t)
+  Assembler::linearise(const Vector &solution, const LoadTime &t)
   {
     unknowns.update_inhomogeneities(supports.constraints());
     const Report report = assemble(solution, t, true);
@@ -93,9 +101,9 @@ namespace lumbricus
 
 
   Assembler::Report
-  Assembler::assemble(const Vector &solution,
-                      const double  t,
-                      const bool    with_tangent)
+  Assembler::assemble(const Vector   &solution,
+                      const LoadTime &t,
+                      const bool      with_tangent)
   {
     std::copy(solution.begin(), solution.end(), u.begin());
     u.update_ghost_values();
@@ -103,6 +111,7 @@ namespace lumbricus
     if (with_tangent)
       linearisation.clear_surface_matrices();
 
+    rounding.clear();
     Report report;
     report.min_J              = std::numeric_limits<double>::max();
     double       force_square = 0.;
@@ -134,6 +143,11 @@ namespace lumbricus
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int n = 0; n < n_nodes; ++n)
             force_square += kernel->force[c][n] * kernel->force[c][n];
+        rounding.add(i,
+                     *kernel,
+                     shapes.pressure_modes(),
+                     law.shear_modulus(),
+                     references.cell(i));
         kernel->get_residual(values);
         if (cell->at_boundary())
           add_surface_terms(cell, i, t, with_tangent, values);
@@ -142,6 +156,7 @@ namespace lumbricus
           {
             // What is prescribed and still missing pulls at the free unknowns.
             linearisation.shear_modulus[i] = law.shear_modulus();
+            add_interface_tangent(cell, i);
             double missing[n_per_cell];
             if (unknowns.read_inhomogeneity(i, missing))
               {
@@ -155,8 +170,13 @@ namespace lumbricus
     sum.compress(dealii::VectorOperation::add);
 
     const auto comm = space.communicator();
-    report.force_level =
-      std::sqrt(dealii::Utilities::MPI::sum(force_square, comm));
+    double     sums[] = {force_square,
+                         rounding.force_square(),
+                         rounding.volume()};
+    dealii::Utilities::MPI::sum(sums, comm, sums);
+    report.force_level     = std::sqrt(sums[0]);
+    report.force_rounding  = std::sqrt(sums[1]);
+    report.volume_rounding = sums[2];
     const auto least = dealii::Utilities::MPI::min_max_avg(report.min_J, comm);
     report.min_J_segment =
       dealii::Utilities::MPI::broadcast(comm,
@@ -172,69 +192,94 @@ namespace lumbricus
   Assembler::add_surface_terms(
     const dealii::DoFHandler<dim>::active_cell_iterator &cell,
     const unsigned int                                   i,
-    const double                                         t,
+    const LoadTime                                      &t,
     const bool                                           with_tangent,
     double                                              *residual)
   {
-    for (const auto &face : cell->face_iterators())
-      {
-        if (!face->at_boundary())
-          continue;
-        const auto acting = conditions.on_boundary(face->boundary_id());
-        bool       any    = false;
-        for (const BoundaryCondition *condition : acting)
-          any = any || condition->acts_on_surface();
-        if (!any)
-          continue;
+    const auto add = [&](const BoundaryCondition & /*condition*/,
+                         const SurfaceNodes    &nodes,
+                         const SurfaceResponse &response) {
+      const double w = nodes.JxW;
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        for (unsigned int c = 0; c < dim; ++c)
+          residual[CellUnknowns::displacement(c, n)] -=
+            w * nodes.values[n] * response.T[c];
+      if (!with_tangent || !response.depends_on_shape())
+        return;
+      auto &matrix = linearisation.surface_matrix(i);
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int k = 0; k < dim; ++k)
+          for (unsigned int m = 0; m < n_nodes; ++m)
+            {
+              const double dT = response.dT_du[c][k] * nodes.values[m] +
+                                response.dT_dF[c][k] * nodes.gradients[m];
+              for (unsigned int n = 0; n < n_nodes; ++n)
+                matrix[CellUnknowns::displacement(c, n) * n_per_cell +
+                       CellUnknowns::displacement(k, m)] -=
+                  w * nodes.values[n] * dT;
+            }
+    };
+    for_each_traction(space, conditions, cell, kernel->u, t, face_values, add);
+  }
 
-        face_values.reinit(mesh_cell(cell), face);
+
+
+  void
+  Assembler::add_interface_tangent(
+    const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+    const unsigned int                                   i)
+  {
+    for (const unsigned int f : cell->face_indices())
+      {
+        if (!supports.is_sliding_face(cell, f))
+          continue;
+        face_values.reinit(mesh_cell(cell), f);
+        auto &matrix = linearisation.surface_matrix(i);
         for (const unsigned int q : face_values.quadrature_point_indices())
           {
-            SurfacePoint point;
-            point.X = face_values.quadrature_point(q);
-            point.N = face_values.normal_vector(q);
-            point.t = t;
-            point.F = dealii::unit_symmetric_tensor<dim, double>();
-
+            dealii::Tensor<2, dim> F =
+              dealii::unit_symmetric_tensor<dim, double>();
             dealii::Tensor<1, dim> gradients[n_nodes];
-            double                 values[n_nodes];
+            double                 p = 0.;
             for (unsigned int n = 0; n < n_nodes; ++n)
               {
-                const unsigned int dof = space.displacement_dof[0][n];
-                gradients[n]           = face_values.shape_grad(dof, q);
-                values[n]              = face_values.shape_value(dof, q);
+                gradients[n] =
+                  face_values.shape_grad(space.displacement_dof[0][n], q);
                 for (unsigned int c = 0; c < dim; ++c)
-                  {
-                    point.u[c] += kernel->u[c][n] * values[n];
-                    for (unsigned int J = 0; J < dim; ++J)
-                      point.F[c][J] += kernel->u[c][n] * gradients[n][J];
-                  }
+                  F[c] += kernel->u[c][n] * gradients[n];
               }
+            for (unsigned int m = 0; m < MixedSpace::n_pressure_modes; ++m)
+              p +=
+                kernel->p[m] * face_values.shape_value(space.pressure_dof[m], q);
 
-            for (const BoundaryCondition *condition : acting)
+            // d(cof(F) N)_c / dF_kL = a_c F^(-1)_Lk - a_k F^(-1)_Lc with
+            // a = cof(F) N.
+            const auto             cofactor = dealii::cofactor(F);
+            const auto             a = cofactor * face_values.normal_vector(q);
+            const double           J = dealii::determinant(F);
+            dealii::Tensor<1, dim> spatial[n_nodes]; // F^(-T) Grad N
+            for (unsigned int n = 0; n < n_nodes; ++n)
+              spatial[n] = cofactor * gradients[n] / J;
+            const double half = 0.5 * p * face_values.JxW(q);
+            for (unsigned int n = 0; n < n_nodes; ++n)
               {
-                if (!condition->acts_on_surface())
+                const double N_n =
+                  face_values.shape_value(space.displacement_dof[0][n], q);
+                if (N_n == 0.)
                   continue;
-                SurfaceResponse response;
-                condition->surface(point, response);
-                const double w = face_values.JxW(q);
-                for (unsigned int n = 0; n < n_nodes; ++n)
+                for (unsigned int m = 0; m < n_nodes; ++m)
                   for (unsigned int c = 0; c < dim; ++c)
-                    residual[CellUnknowns::displacement(c, n)] -=
-                      w * values[n] * response.T[c];
-                if (!with_tangent || !response.depends_on_shape())
-                  continue;
-                auto &matrix = linearisation.surface_matrix(i);
-                for (unsigned int c = 0; c < dim; ++c)
-                  for (unsigned int k = 0; k < dim; ++k)
-                    for (unsigned int m = 0; m < n_nodes; ++m)
+                    for (unsigned int k = 0; k < dim; ++k)
                       {
-                        const double dT = response.dT_du[c][k] * values[m] +
-                                          response.dT_dF[c][k] * gradients[m];
-                        for (unsigned int n = 0; n < n_nodes; ++n)
-                          matrix[CellUnknowns::displacement(c, n) * n_per_cell +
-                                 CellUnknowns::displacement(k, m)] -=
-                            w * values[n] * dT;
+                        const double value =
+                          half * N_n *
+                          (a[c] * spatial[m][k] - a[k] * spatial[m][c]);
+                        const unsigned int row =
+                          CellUnknowns::displacement(c, n);
+                        const unsigned int column =
+                          CellUnknowns::displacement(k, m);
+                        matrix[row * n_per_cell + column] -= value;
+                        matrix[column * n_per_cell + row] -= value;
                       }
               }
           }

@@ -20,16 +20,6 @@ namespace lumbricus
   {
     constexpr unsigned int n_q = MixedSpace::n_q_points;
 
-    // "circular muscle" as the name of a field: "circular_muscle".
-    std::string
-    field_name(std::string name)
-    {
-      std::replace(name.begin(), name.end(), ' ', '_');
-      return name;
-    }
-
-
-
     // The values of all fields at one quadrature point, in order.
     class PointValues
     {
@@ -78,7 +68,7 @@ namespace lumbricus
     add("hydrostatic_divergence", Interpretation::component_is_scalar, 1);
     for (unsigned int i = 0; i < anatomy.n_muscles(); ++i)
       {
-        const std::string name = field_name(anatomy.muscle(i).name());
+        const std::string name = anatomy.muscle(i).field_name();
         add("fibre_" + name, Interpretation::component_is_part_of_vector, dim);
         add("active_stretch_" + name, Interpretation::component_is_scalar, 1);
       }
@@ -110,11 +100,9 @@ namespace lumbricus
   CellFields::reinit()
   {
     fields_dof_handler.distribute_dofs(*fe);
-    dealii::IndexSet relevant;
-    dealii::DoFTools::extract_locally_relevant_dofs(fields_dof_handler,
-                                                    relevant);
     field_values.reinit(fields_dof_handler.locally_owned_dofs(),
-                        relevant,
+                        dealii::DoFTools::extract_locally_relevant_dofs(
+                          fields_dof_handler),
                         space.communicator());
   }
 

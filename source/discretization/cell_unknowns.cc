@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/cell_unknowns.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
@@ -122,6 +123,42 @@ namespace lumbricus
         constrained_cells.push_back(C);
       }
     update_inhomogeneities(constraints);
+  }
+
+
+
+  bool
+  CellUnknowns::update_weights(
+    const dealii::AffineConstraints<double> &constraints)
+  {
+    CellUnknowns now(space);
+    now.reinit(constraints);
+    const bool differs = !now.is_like(*this);
+    if (dealii::Utilities::MPI::max(differs ? 1 : 0, space.communicator()) > 0)
+      return false;
+    constrained_cells = std::move(now.constrained_cells);
+    return true;
+  }
+
+
+
+  bool
+  CellUnknowns::is_like(const CellUnknowns &other) const
+  {
+    return other.partitioner != nullptr &&
+           partitioner->is_compatible(*other.partitioner) &&
+           place == other.place && constrained == other.constrained &&
+           of_constrained_cell == other.of_constrained_cell &&
+           std::equal(constrained_cells.begin(),
+                      constrained_cells.end(),
+                      other.constrained_cells.begin(),
+                      other.constrained_cells.end(),
+                      [](const Constrained &a, const Constrained &b) {
+                        return a.free_unknowns == b.free_unknowns &&
+                               a.row_begin == b.row_begin &&
+                               a.column == b.column && a.rows == b.rows &&
+                               a.indices == b.indices;
+                      });
   }
 
 

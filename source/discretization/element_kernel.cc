@@ -51,12 +51,19 @@ namespace lumbricus
   double
   ElementKernel::compute_deformation(const ShapeCache::Cell &cell)
   {
+    // Relative to the last node: a translation adds nothing to F, but its
+    // rounding would add to the sums.
+    alignas(64) double relative[dim][padded] = {};
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        relative[c][n] = u[c][n] - u[c][n_nodes - 1];
+
     double min_J = std::numeric_limits<double>::max();
     for (unsigned int q = 0; q < n_q; ++q)
       {
         gradient_at_point(cell,
                           q,
-                          u,
+                          relative,
                           [&](const unsigned int i,
                               const unsigned int J,
                               const double       value) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/interface_coupling.h>
 
+#include <deal.II/base/patterns.h>
+
 namespace lumbricus
 {
   void

@@ -5,6 +5,7 @@
 #include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lumbricus
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/mixed_space.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgp.h>
 #include <deal.II/fe/fe_dgq.h>
@@ -95,8 +96,8 @@ namespace lumbricus
       dof_handler.distribute_dofs(fe);
     rest_dof_handler.distribute_dofs(rest_fe);
     locally_owned = dof_handler.locally_owned_dofs();
-    dealii::DoFTools::extract_locally_relevant_dofs(dof_handler,
-                                                    locally_relevant);
+    locally_relevant =
+      dealii::DoFTools::extract_locally_relevant_dofs(dof_handler);
   }
 
 

@@ -2,6 +2,7 @@
 #include <lumbricus/discretization/nested_shape.h>
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/base/quadrature.h>
 
 namespace lumbricus
 {

@@ -65,7 +65,7 @@ namespace lumbricus
 
 
   void
-  ReferenceField::update_muscles(const double t)
+  ReferenceField::update_muscles(const LoadTime &t)
   {
     for_each_region(space, [&](const unsigned int i, const Region region) {
       const auto &muscles = anatomy.muscles_of(region.tissue);
@@ -117,10 +117,18 @@ namespace lumbricus
 
 
   void
+  ReferenceField::update(const State &state, const LoadTime &t)
+  {
+    update_muscles(t);
+    update_liquid(state);
+  }
+
+
+
+  void
   ReferenceField::update(const State &state)
   {
-    update_muscles(state.time);
-    update_liquid(state);
+    update(state, state.time);
   }
 
 

@@ -17,31 +17,50 @@ namespace lumbricus
   RigidMotions::hold(const dealii::Point<dim>     &X,
                      const dealii::Tensor<1, dim> &d)
   {
-    const auto moment = dealii::cross_product_3d(X - X0, d) / L;
-    return add({{d[0], d[1], d[2], moment[0], moment[1], moment[2]}});
+    return add(row(X, d));
+  }
+
+
+
+  RigidMotions::Row
+  RigidMotions::row(const dealii::Point<dim>     &X,
+                    const dealii::Tensor<1, dim> &f) const
+  {
+    const auto moment = dealii::cross_product_3d(X - X0, f) / L;
+    return {{f[0], f[1], f[2], moment[0], moment[1], moment[2]}};
+  }
+
+
+
+  RigidMotions::Row
+  RigidMotions::unheld(const Row &row) const
+  {
+    // Gram-Schmidt, twice for accuracy.
+    Row rest = row;
+    for (unsigned int pass = 0; pass < 2; ++pass)
+      for (const Row &b : basis)
+        {
+          const double s =
+            std::inner_product(rest.begin(), rest.end(), b.begin(), 0.);
+          for (unsigned int i = 0; i < rest.size(); ++i)
+            rest[i] -= s * b[i];
+        }
+    return rest;
   }
 
 
 
   bool
-  RigidMotions::add(Row row)
+  RigidMotions::add(const Row &row)
   {
-    // Gram-Schmidt, twice for accuracy.
-    for (unsigned int pass = 0; pass < 2; ++pass)
-      for (const Row &b : basis)
-        {
-          const double s =
-            std::inner_product(row.begin(), row.end(), b.begin(), 0.);
-          for (unsigned int i = 0; i < row.size(); ++i)
-            row[i] -= s * b[i];
-        }
-    const double norm =
-      std::sqrt(std::inner_product(row.begin(), row.end(), row.begin(), 0.));
+    Row          rest = unheld(row);
+    const double norm = std::sqrt(
+      std::inner_product(rest.begin(), rest.end(), rest.begin(), 0.));
     if (norm < 1e-6)
       return false;
-    for (double &entry : row)
+    for (double &entry : rest)
       entry /= norm;
-    basis.push_back(row);
+    basis.push_back(rest);
     return true;
   }
 

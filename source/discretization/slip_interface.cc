@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/local_constraints.h>
 #include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/discretization/slip_interface.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +20,15 @@ namespace lumbricus
     // Surfaces whose normals at a node are closer than this are one.
     constexpr double cos_of_one_surface = 0.7;
 
+    // Where two are as large the first, whatever rounding says, so that what is
+    // eliminated does not change without reason.
     unsigned int
     largest_component(const Tensor<1, dim> &v)
     {
-      unsigned int largest = 0;
+      constexpr double larger  = 1. + 1e-6;
+      unsigned int     largest = 0;
       for (unsigned int c = 1; c < dim; ++c)
-        if (std::abs(v[c]) > std::abs(v[largest]))
+        if (std::abs(v[c]) > larger * std::abs(v[largest]))
           largest = c;
       return largest;
     }
@@ -103,7 +108,8 @@ namespace lumbricus
   {
     if (!exists())
       return;
-    hanging_nodes.reinit(space.locally_relevant);
+    hanging_nodes =
+      local_constraints(space.locally_owned, space.locally_relevant);
     dealii::DoFTools::make_hanging_node_constraints(space.dof_handler,
                                                     hanging_nodes);
     hanging_nodes.close();
@@ -111,6 +117,9 @@ namespace lumbricus
       component.reinit(space.locally_owned,
                        space.locally_relevant,
                        space.communicator());
+    moved.reinit(space.locally_owned,
+                 space.locally_relevant,
+                 space.communicator());
     find_pairs();
     update_normals(space.initial_state().solution);
     merge_surfaces();
@@ -191,6 +200,31 @@ namespace lumbricus
           node_pairs.push_back(pair);
         }
     });
+  }
+
+
+
+  bool
+  SlipInterface::is_liquid_side(
+    const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+    const unsigned int                                   f) const
+  {
+    const auto is_liquid = [&](const auto &some_cell) {
+      return anatomy.is_liquid(Region::of(some_cell->material_id()).tissue);
+    };
+    return exists() && is_liquid(cell) && !cell->at_boundary(f) &&
+           !is_liquid(cell->neighbor(f));
+  }
+
+
+
+  void
+  SlipInterface::update(const Vector &solution, const Vector &start)
+  {
+    update_normals(solution);
+    Vector change = solution;
+    change -= start;
+    moved = change;
   }
 
 
@@ -295,10 +329,11 @@ namespace lumbricus
 
 
 
-  void
+  double
   SlipInterface::add_constraints(
     dealii::AffineConstraints<double> &constraints) const
   {
+    double largest = 0.;
     for (const NodePair &pair : node_pairs)
       {
         if (!constraints.can_store_line(pair.liquid[0]) ||
@@ -317,21 +352,28 @@ namespace lumbricus
           }
 
         // Row r reads du_liquid[p] = sum_c row[c] du_wall[c]
-        //                          - sum_{c != p} row[c] du_liquid[c].
+        //                          - sum_{c != p} row[c] du_liquid[c]
+        //                          - sum_c row[c] slip[c].
         const auto pivots = eliminate(rows);
         for (unsigned int r = 0; r < pivots.size(); ++r)
           {
             const auto line = pair.liquid[pivots[r]];
             constraints.add_line(line);
+            double off = 0.;
             for (unsigned int c = 0; c < dim; ++c)
               {
                 if (std::abs(rows[r][c]) < 1e-14)
                   continue;
+                off += rows[r][c] *
+                       (moved(pair.liquid[c]) - moved(pair.wall[c]));
                 constraints.add_entry(line, pair.wall[c], rows[r][c]);
                 if (c != pivots[r])
                   constraints.add_entry(line, pair.liquid[c], -rows[r][c]);
               }
+            constraints.set_inhomogeneity(line, -off);
+            largest = std::max(largest, std::abs(off));
           }
       }
+    return largest;
   }
 } // namespace lumbricus

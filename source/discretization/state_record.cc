@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/discretization/cell_key.h>
-#include <lumbricus/discretization/cell_state.h>
 #include <lumbricus/discretization/state_record.h>
 
 #include <deal.II/grid/filtered_iterator.h>
 
+#include <algorithm>
+#include <cmath>
 #include <istream>
-#include <map>
 #include <ostream>
 #include <vector>
 
@@ -53,27 +52,51 @@ namespace lumbricus
 
 
 
-  unsigned int
-  read_cells(const MixedSpace &space, std::istream &in, State &state)
+  CellReader::CellReader(const MixedSpace &space)
+    : access(space)
+    , values(CellState::size)
   {
-    std::map<CellKey, dealii::DoFHandler<dim>::active_cell_iterator> owned;
     for (const auto &cell : space.dof_handler.active_cell_iterators() |
                               dealii::IteratorFilters::LocallyOwnedCell())
-      owned[cell_key(cell)] = cell;
+      missing[cell_key(cell)] = cell;
+  }
 
-    CellStateAccess     access(space);
-    std::vector<double> values(CellState::size);
-    unsigned int        n_read = 0;
-    CellKey             key;
+
+
+  void
+  CellReader::read(std::istream &in, State &state)
+  {
+    CellKey key;
     while (read_bits(in, key.data(), key.size()) &&
            read_bits(in, values.data(), values.size()))
       {
-        const auto found = owned.find(key);
-        if (found == owned.end())
+        twice            = twice || was_read.count(key) > 0;
+        const auto found = missing.find(key);
+        if (found == missing.end())
           continue;
+        finite =
+          finite && std::all_of(values.begin(), values.end(), [](double v) {
+            return std::isfinite(v);
+          });
         access.write(found->second, values, state);
-        ++n_read;
+        missing.erase(found);
+        was_read.insert(key);
       }
-    return n_read;
+  }
+
+
+
+  bool
+  CellReader::is_complete() const
+  {
+    return missing.empty() && !twice;
+  }
+
+
+
+  bool
+  CellReader::is_finite() const
+  {
+    return finite;
   }
 } // namespace lumbricus

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/local_constraints.h>
 #include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/discretization/supports.h>
 
@@ -43,17 +44,15 @@ namespace lumbricus
   void
   Supports::reinit()
   {
-    base.clear();
-    // Under slip an unknown may hang on others that this rank does not know.
-    base.reinit(interface.exists() ?
-                  dealii::complete_index_set(space.dof_handler.n_dofs()) :
-                  space.locally_relevant);
+    base = local_constraints(space.locally_owned, known_unknowns());
     dealii::DoFTools::make_hanging_node_constraints(space.dof_handler, base);
     prescribed.clear();
+    held_points.clear();
     prescribe_boundaries();
     interface.reinit();
 
     auto motions = held_motions();
+    held         = std::make_unique<RigidMotions>(motions[0]);
     hold_wall(motions[0]);
     for (unsigned int s = 0; s + 1 < motions.size(); ++s)
       hold_liquid(motions[s + 1], s);
@@ -63,13 +62,38 @@ namespace lumbricus
 
 
   bool
-  Supports::renew_interface(const Vector &solution)
+  Supports::follow_the_deformation() const
   {
-    if (!interface.follows_the_deformation())
-      return false;
-    interface.update_normals(solution);
+    return interface.follows_the_deformation();
+  }
+
+
+
+  void
+  Supports::update_interface(const Vector &solution, const Vector &start)
+  {
+    if (!follow_the_deformation())
+      return;
+    interface.update(solution, start);
     close();
-    return true;
+  }
+
+
+
+  double
+  Supports::gap() const
+  {
+    return largest_gap;
+  }
+
+
+
+  bool
+  Supports::is_sliding_face(
+    const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+    const unsigned int                                   f) const
+  {
+    return follow_the_deformation() && interface.is_liquid_side(cell, f);
   }
 
 
@@ -82,14 +106,85 @@ namespace lumbricus
     increments.clear();
     increments.copy_from(base);
     if (interface.exists())
-      {
-        interface.add_constraints(increments);
-        // Chains over nodes of other ranks are made complete.
-        increments.make_consistent_in_parallel(space.locally_owned,
-                                               space.locally_relevant,
-                                               space.communicator());
-      }
-    increments.close();
+      largest_gap =
+        dealii::Utilities::MPI::max(interface.add_constraints(increments),
+                                    space.communicator());
+    close(increments);
+  }
+
+
+
+  dealii::IndexSet
+  Supports::known_unknowns() const
+  {
+    // Under slip an unknown may hang on others that this rank does not know.
+    return interface.exists() ?
+             dealii::complete_index_set(space.dof_handler.n_dofs()) :
+             space.locally_relevant;
+  }
+
+
+
+  void
+  Supports::close(dealii::AffineConstraints<double> &constraints) const
+  {
+    // Chains over nodes of other ranks are made complete.
+    if (interface.exists())
+      constraints.make_consistent_in_parallel(space.locally_owned,
+                                              space.locally_relevant,
+                                              space.communicator());
+    constraints.close();
+  }
+
+
+
+  dealii::AffineConstraints<double>
+  Supports::links() const
+  {
+    // What is prescribed decides which unknowns of the interface hang on which.
+    dealii::AffineConstraints<double> all;
+    all.copy_from(base);
+    if (interface.exists())
+      interface.add_constraints(all);
+    std::set<dealii::types::global_dof_index> held_unknowns;
+    for (const Prescribed &entry : prescribed)
+      held_unknowns.insert(entry.index);
+
+    dealii::AffineConstraints<double> constraints =
+      local_constraints(space.locally_owned, known_unknowns());
+    for (const auto &line : all.get_lines())
+      if (held_unknowns.count(line.index) == 0)
+        {
+          constraints.add_line(line.index);
+          constraints.add_entries(line.index, line.entries);
+        }
+    close(constraints);
+    return constraints;
+  }
+
+
+
+  const std::vector<Supports::Prescribed> &
+  Supports::prescribed_unknowns() const
+  {
+    return prescribed;
+  }
+
+
+
+  const std::vector<Supports::HeldPoint> &
+  Supports::minimal_support() const
+  {
+    return held_points;
+  }
+
+
+
+  const RigidMotions &
+  Supports::held_without_minimal_support() const
+  {
+    Assert(held != nullptr, dealii::ExcNotInitialized());
+    return *held;
   }
 
 
@@ -124,17 +219,23 @@ namespace lumbricus
             const auto id = cell->face(f)->boundary_id();
 
             // Which components, by whom.
-            std::vector<std::pair<unsigned int, const BoundaryCondition *>> who;
-            for (const SymmetryPlane &plane : planes)
-              if (plane.boundary == id)
-                who.emplace_back(plane.direction, nullptr);
+            struct Holder
+            {
+              unsigned int             component;
+              const BoundaryCondition *condition;
+              unsigned int             plane;
+            };
+            std::vector<Holder> who;
+            for (unsigned int p = 0; p < planes.size(); ++p)
+              if (planes[p].boundary == id)
+                who.push_back({planes[p].direction, nullptr, p});
             for (const BoundaryCondition *condition :
                  conditions.on_boundary(id))
               for (unsigned int c = 0; c < dim; ++c)
                 if (condition->prescribed_components()[c])
-                  who.emplace_back(c, condition);
+                  who.push_back({c, condition, 0});
 
-            for (const auto &[c, condition] : who)
+            for (const auto &[c, condition, plane] : who)
               for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
                 {
                   const unsigned int i = space.displacement_dof[c][n];
@@ -148,7 +249,12 @@ namespace lumbricus
                      body_of(cell->material_id()),
                      space.mapping.transform_unit_to_real_cell(
                        cell, space.fe.unit_support_point(i)),
-                     condition});
+                     condition,
+                     condition == nullptr ? By::symmetry : By::condition,
+                     plane,
+                     {{indices[space.displacement_dof[0][n]],
+                       indices[space.displacement_dof[1][n]],
+                       indices[space.displacement_dof[2][n]]}}});
                 }
           }
       }
@@ -282,6 +388,7 @@ namespace lumbricus
                         const unsigned int        direction,
                         const unsigned int        body)
   {
+    held_points.push_back({X, direction});
     const double tolerance = 1e-8 * geometry.characteristic_length();
     for (const auto &cell : space.dof_handler.active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())
@@ -289,19 +396,29 @@ namespace lumbricus
           if (cell->is_artificial() || body_of(cell->material_id()) != body ||
               cell->vertex(v).distance(X) > tolerance)
             continue;
-          const auto i =
-            cell->vertex_dof_index(v, direction, cell->active_fe_index());
+          std::array<dealii::types::global_dof_index, dim> node;
+          for (unsigned int c = 0; c < dim; ++c)
+            node[c] = cell->vertex_dof_index(v, c, cell->active_fe_index());
+          const auto i = node[direction];
           if (base.is_constrained(i))
             continue;
           base.add_line(i);
-          prescribed.push_back({i, direction, body, X, nullptr});
+          prescribed.push_back({i,
+                                direction,
+                                body,
+                                X,
+                                nullptr,
+                                By::minimal_support,
+                                static_cast<unsigned int>(held_points.size() -
+                                                          1),
+                                node});
         }
   }
 
 
 
   double
-  Supports::set_increments(const Vector &solution, const double t)
+  Supports::set_increments(const Vector &solution, const LoadTime &t)
   {
     const Vector relevant = space.with_ghosts(solution);
 
@@ -310,11 +427,14 @@ namespace lumbricus
       {
         if (entry.condition == nullptr)
           continue;
-        const double missing =
-          entry.condition->prescribed_displacement(entry.component,
-                                                   entry.X,
-                                                   t) -
-          relevant(entry.index);
+        const double wanted = t.take(
+          [&](const double at) {
+            return entry.condition->prescribed_displacement(entry.component,
+                                                            entry.X,
+                                                            at);
+          },
+          0.);
+        const double missing = wanted - relevant(entry.index);
         base.set_inhomogeneity(entry.index, missing);
         largest = std::max(largest, std::abs(missing));
       }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/expression.h>
+#include <lumbricus/core/number_in_text.h>
+#include <lumbricus/core/readable_file.h>
 #include <lumbricus/core/registry.h>
+#include <lumbricus/core/text_lines.h>
+#include <lumbricus/core/user_text.h>
 #include <lumbricus/fibres/fibre_field.h>
 
 #include <deal.II/base/patterns.h>
@@ -9,10 +13,8 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -38,16 +40,6 @@ namespace lumbricus
         words.push_back(word);
       return words;
     }
-
-
-
-    bool
-    read_number(const std::string &word, double &value)
-    {
-      char *end = nullptr;
-      value     = std::strtod(word.c_str(), &end);
-      return end == word.c_str() + word.size() && std::isfinite(value);
-    }
   } // namespace
 
 
@@ -67,6 +59,12 @@ namespace lumbricus
 
     dealii::Tensor<1, dim>
     direction(const dealii::Point<dim> &X) const override;
+
+    bool
+    is_sampled() const override
+    {
+      return true;
+    }
 
   private:
     using Entry = std::pair<dealii::Point<dim>, unsigned int>;
@@ -112,7 +110,8 @@ namespace lumbricus
                       "point of the file, so give the centres of all cells of "
                       "the muscle. The first line may be 'x, y, z, fx, fy, "
                       "fz'; what follows a # is left out. A relative path "
-                      "starts at the working directory.");
+                      "starts at the working directory.",
+                      dealii::Patterns::FileName());
     prm.add_parameter("Reach",
                       given_reach,
                       "[mm] How far from the nearest point of the file there "
@@ -143,8 +142,8 @@ namespace lumbricus
                          "File' is not set. Give the path of a file with a "
                          "point and a vector in a line, from the working "
                          "directory."));
-    std::ifstream in(file_name);
-    AssertThrow(in && !std::filesystem::is_directory(file_name),
+    std::ifstream in = open_input_file(file_name);
+    AssertThrow(in.good(),
                 ExcInput("Parameter '" + parameter + "File': the file '" +
                          file_name +
                          "' cannot be read. Give the path of a file with a "
@@ -155,7 +154,8 @@ namespace lumbricus
     line_numbers.clear();
     bool        at_top = true;
     std::string line;
-    for (unsigned int number = 1; std::getline(in, line); ++number)
+    skip_byte_order_mark(in);
+    for (unsigned int number = 1; read_line(in, line); ++number)
       {
         const auto words = words_of(line);
         if (words.empty())

@@ -61,6 +61,12 @@ namespace lumbricus
     std::vector<SymmetryPlane>
     symmetry_planes() const override;
 
+    std::string
+    way_without_symmetry() const override
+    {
+      return "Take the axis out of '" + path + "/Symmetry'.";
+    }
+
     std::vector<SegmentSections>
     sections() const override
     {
@@ -134,7 +140,7 @@ namespace lumbricus
                       "Rectangles on faces that are boundaries of their own, "
                       "names of your own, each with a section of that name "
                       "here. The name of the face stands for the rest of it.",
-                      dealii::Patterns::List(Name()));
+                      NameList());
   }
 
 

@@ -2,10 +2,11 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/geometry/block_patch.h>
 
+#include <deal.II/base/patterns.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <utility>
 
 namespace lumbricus
 {
@@ -57,13 +58,13 @@ namespace lumbricus
       {
         const unsigned int d    = axes()[i];
         const double       cell = lengths[d] / n_cells[d];
-        for (const auto &[entry, corner] :
-             {std::make_pair("From", &from), std::make_pair("To", &to)})
+        for (const bool last : {false, true})
           {
-            const double       value = (*corner)[i];
+            const double       value = last ? to[i] : from[i];
             const double       n     = std::round(value / cell);
             std::ostringstream message;
-            message << "Parameter '" << section << '/' << entry << "': "
+            message << "Parameter '" << section << '/' << (last ? "To" : "From")
+                    << "': "
                     << "xyz"[d] << " = " << value;
             if (n > n_cells[d])
               message << " is outside of the block, which ends at "

@@ -2,12 +2,14 @@
 #include <lumbricus/core/expression.h>
 #include <lumbricus/geometry/mesh_checks.h>
 #include <lumbricus/geometry/mesh_faces.h>
+#include <lumbricus/geometry/touching_parts.h>
 
 #include <deal.II/base/tensor.h>
 
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace lumbricus
@@ -16,12 +18,6 @@ namespace lumbricus
   {
     using Vertices = std::vector<dealii::Point<dim>>;
     using Cells    = std::vector<dealii::CellData<dim>>;
-
-    const std::string how_to_join =
-      "Make the volumes share their surfaces: in Gmsh by 'Coherence;' or "
-      "'BooleanFragments' after all volumes, and before the physical groups.";
-
-
 
     dealii::Point<dim>
     center(const Vertices &vertices, const dealii::CellData<dim> &cell)
@@ -81,14 +77,31 @@ namespace lumbricus
     std::string
     faces_of_many_cells(const Vertices &vertices, const Cells &cells)
     {
-      std::map<FaceKey, unsigned int> n_cells;
+      const auto faces = sorted_faces(cells);
+      for (std::size_t i = 2; i < faces.size(); ++i)
+        if (faces[i].key == faces[i - 2].key)
+          return " has more than two cells at one face, of the cell at " +
+                 point_text(center(vertices, cells[faces[i].cell])) +
+                 ". Put every volume into one physical group only, and see "
+                 "that no volumes overlap.";
+      return "";
+    }
+
+
+
+    std::string
+    cells_twice(const Vertices &vertices, const Cells &cells)
+    {
+      std::map<std::array<unsigned int, 8>, unsigned int> known;
       for (const auto &cell : cells)
-        for (unsigned int f = 0; f < 6; ++f)
-          if (++n_cells[face_key(cell, f)] > 2)
-            return " has more than two cells at one face, of the cell at " +
-                   point_text(center(vertices, cell)) +
-                   ". Put every volume into one physical group only, and see "
-                   "that no volumes overlap.";
+        {
+          std::array<unsigned int, 8> key;
+          std::copy(cell.vertices.begin(), cell.vertices.end(), key.begin());
+          std::sort(key.begin(), key.end());
+          if (++known[key] > 1)
+            return " has the cell at " + point_text(center(vertices, cell)) +
+                   " twice. Put every volume into one physical group only.";
+        }
       return "";
     }
 
@@ -138,37 +151,58 @@ namespace lumbricus
 
 
 
+    // For every cell the number of a cell of its part; those that share a face
+    // are in one part.
+    std::vector<unsigned int>
+    parts_of_cells(const Cells &cells)
+    {
+      std::vector<unsigned int> parent(cells.size());
+      std::iota(parent.begin(), parent.end(), 0u);
+      const auto root = [&](unsigned int c) {
+        while (parent[c] != c)
+          c = parent[c] = parent[parent[c]];
+        return c;
+      };
+      const auto faces = sorted_faces(cells);
+      for (std::size_t i = 1; i < faces.size(); ++i)
+        if (faces[i].key == faces[i - 1].key)
+          parent[root(faces[i].cell)] = root(faces[i - 1].cell);
+      std::vector<unsigned int> parts;
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        parts.push_back(root(c));
+      return parts;
+    }
+
+
+
     std::string
     loose_parts(const Vertices &vertices, const Cells &cells)
     {
-      // Trees of vertices; those of a cell are in one.
-      std::vector<unsigned int> parent(vertices.size());
-      std::iota(parent.begin(), parent.end(), 0u);
-      const auto root = [&](unsigned int v) {
-        while (parent[v] != v)
-          v = parent[v] = parent[parent[v]];
-        return v;
-      };
-      std::size_t n_parts = vertices.size();
-      for (const auto &cell : cells)
-        for (const unsigned int v : cell.vertices)
-          {
-            const unsigned int a = root(v), b = root(cell.vertices[0]);
-            if (a != b)
-              {
-                parent[a] = b;
-                --n_parts;
-              }
-          }
-      if (n_parts == 1)
+      const auto                   part = parts_of_cells(cells);
+      const std::set<unsigned int> parts(part.begin(), part.end());
+      if (parts.size() == 1)
         return "";
+      const std::string n = std::to_string(parts.size());
 
-      const unsigned int first = root(cells[0].vertices[0]);
-      unsigned int       other = 0;
-      while (root(cells[other].vertices[0]) == first)
+      // Two cells at a vertex, of different parts.
+      std::vector<unsigned int> cell_at(vertices.size(), cells.size());
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        for (const unsigned int v : cells[c].vertices)
+          if (cell_at[v] == cells.size())
+            cell_at[v] = c;
+          else if (part[cell_at[v]] != part[c])
+            return " has " + n +
+                   " parts that share edges or nodes, but no faces, as the "
+                   "cells at " +
+                   point_text(center(vertices, cells[cell_at[v]])) + " and " +
+                   point_text(center(vertices, cells[c])) + " do at " +
+                   point_text(vertices[v]) +
+                   ", so that they are not joined. " + how_to_join;
+
+      unsigned int other = 0;
+      while (part[other] == part[0])
         ++other;
-      return " has " + std::to_string(n_parts) +
-             " parts that are not joined: the cells at " +
+      return " has " + n + " parts that are not joined: the cells at " +
              point_text(center(vertices, cells[0])) + " and " +
              point_text(center(vertices, cells[other])) +
              " are in different ones. " + how_to_join;
@@ -181,7 +215,12 @@ namespace lumbricus
   what_is_wrong(const Vertices &vertices, const Cells &cells)
   {
     for (const auto &check :
-         {folded_cells, faces_of_many_cells, double_vertices, loose_parts})
+         {folded_cells,
+          faces_of_many_cells,
+          cells_twice,
+          double_vertices,
+          touching_parts,
+          loose_parts})
       {
         const std::string message = check(vertices, cells);
         if (!message.empty())

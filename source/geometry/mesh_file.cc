@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/expression.h>
 #include <lumbricus/core/patterns.h>
 #include <lumbricus/core/registry.h>
 #include <lumbricus/geometry/named_mesh.h>
+#include <lumbricus/geometry/round_axis.h>
 
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/manifold_lib.h>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 
 namespace lumbricus
 {
   namespace
   {
-    constexpr unsigned int               x_axis                  = 0;
     constexpr dealii::types::manifold_id cylindrical_manifold_id = 1;
   } // namespace
 
@@ -56,10 +63,24 @@ namespace lumbricus
       return mesh().boundary_names;
     }
 
+    std::string
+    inside_of_body(const std::string &name) const override
+    {
+      const auto found = mesh().inner_surfaces.find(name);
+      return found == mesh().inner_surfaces.end() ? "" : found->second;
+    }
+
     std::vector<SymmetryPlane>
     symmetry_planes() const override
     {
       return mesh().symmetry_planes;
+    }
+
+    std::string
+    way_without_symmetry() const override
+    {
+      return "Give a mesh of the whole body, without the physical surface of "
+             "the plane.";
     }
 
     std::vector<SegmentSections>
@@ -85,6 +106,10 @@ namespace lumbricus
     const NamedMesh &
     mesh() const;
 
+    /** Throw where cells are folded between round and flat faces. */
+    void
+    check_curved_cells(const dealii::Triangulation<dim> &triangulation) const;
+
     NamedMeshChoices choices;
 
     /** What was read, and for which parameters. */
@@ -108,7 +133,8 @@ namespace lumbricus
                       "'symmetry y' and 'symmetry z' make it a plane of mirror "
                       "symmetry. What is in no physical surface is the "
                       "boundary 'free'. The axis of the body has to be the x "
-                      "axis.");
+                      "axis.",
+                      dealii::Patterns::FileName());
     const dealii::Patterns::Anything anything;
     const dealii::Patterns::List     names(anything);
     prm.add_parameter("Liquid tissues",
@@ -133,12 +159,19 @@ namespace lumbricus
                       PositiveNumber());
     prm.add_parameter("Round surfaces",
                       choices.round_surfaces,
-                      "[names] Physical surfaces that are round about the x "
-                      "axis, separated by commas. Their faces follow the "
-                      "circle; all others are spanned by the vertices. They "
-                      "may be inside the body, as that between liquid and "
+                      "[names] Physical surfaces that are round about the "
+                      "'Round axis', separated by commas. Their faces follow "
+                      "the circle; all others are spanned by the vertices. "
+                      "They may be inside the body, as that between liquid and "
                       "wall.",
                       names);
+    prm.add_parameter("Round axis",
+                      choices.round_axis,
+                      "[axis] What 'Round surfaces' are round about: 'x', 'y' "
+                      "or 'z', or a point in mm and a direction, as '0, 1.5, "
+                      "0; 0, 0, 1'. Fibres and lengths refer to the x axis "
+                      "whatever it is.",
+                      dealii::Patterns::Anything());
   }
 
 
@@ -181,9 +214,54 @@ namespace lumbricus
           if (from.round_faces.count(key) > 0)
             face->set_all_manifold_ids(cylindrical_manifold_id);
         }
-    if (!from.round_faces.empty())
+    if (from.round_faces.empty())
+      return;
+    const RoundAxis axis("Geometry/mesh file/Round axis", choices.round_axis);
       triangulation.set_manifold(cylindrical_manifold_id,
-                                 dealii::CylindricalManifold<dim>(x_axis));
+                                 dealii::CylindricalManifold<dim>(
+                                   axis.direction, axis.point));
+    check_curved_cells(triangulation);
+  }
+
+
+
+  void
+  MeshFromFile::check_curved_cells(
+    const dealii::Triangulation<dim> &triangulation) const
+  {
+    // Where a cell of quadratic faces is folded most, if it is.
+    dealii::QGaussLobatto<dim>    points(3);
+    const dealii::MappingQ<dim>   mapping(2);
+    const dealii::FE_Nothing<dim> fe;
+    dealii::FEValues<dim>         values(mapping,
+                                 fe,
+                                 points,
+                                 dealii::update_jacobians);
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      {
+        const auto faces = cell->face_iterators();
+        if (std::none_of(faces.begin(), faces.end(), [](const auto &face) {
+              return face->manifold_id() == cylindrical_manifold_id;
+            }))
+          continue;
+        values.reinit(cell);
+        double least = std::numeric_limits<double>::max(), most = 0.;
+        for (const auto &J : values.get_jacobians())
+          {
+            const double det = determinant(dealii::Tensor<2, dim>(J));
+            least            = std::min(least, det);
+            most             = std::max(most, std::abs(det));
+          }
+        AssertThrow(least > 1e-3 * most,
+                    ExcInput("Parameter 'Geometry/mesh file/Round surfaces': "
+                             "the cell of the mesh file '" +
+                             choices.file_name + "' at " +
+                             point_text(cell->center()) +
+                             " becomes folded where its faces follow the "
+                             "circle. Name the surface on the other side of "
+                             "the wall too, or mesh it with more cells around "
+                             "the axis."));
+      }
   }
 
 

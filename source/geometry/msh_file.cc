@@ -1,41 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/geometry/msh_elements.h>
 #include <lumbricus/geometry/msh_file.h>
 #include <lumbricus/geometry/msh_lines.h>
+#include <lumbricus/geometry/msh_nodes.h>
 
+#include <deal.II/base/types.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <unordered_map>
 #include <utility>
 
 namespace lumbricus
 {
   namespace
   {
-    // Gmsh's numbers of element types.
-    constexpr unsigned int quadrilateral = 3;
-    constexpr unsigned int hexahedron    = 5;
-
-    const std::map<unsigned int, std::string> unusable_volumes = {
-      {4, "tetrahedra"},
-      {6, "prisms"},
-      {7, "pyramids"},
-      {11, "tetrahedra of second order"},
-      {12, "hexahedra of second order"},
-      {13, "prisms of second order"},
-      {14, "pyramids of second order"},
-      {17, "hexahedra of second order"},
-      {18, "prisms of second order"},
-      {19, "pyramids of second order"},
-      {29, "tetrahedra of third order"},
-      {92, "hexahedra of third order"},
-      {93, "hexahedra of fourth order"}};
-
-    const std::string how_to_mesh =
-      "Mesh with hexahedra: in Gmsh by 'Transfinite' and 'Recombine' "
-      "('Mesh.RecombineAll = 1;'), by 'Extrude' with 'Recombine', or from "
-      "tetrahedra by 'Mesh.SubdivisionAlgorithm = 2;'.";
-
     // From deal.II's number of a vertex of a hexahedron to Gmsh's.
     constexpr std::array<unsigned int, 8> gmsh_vertex = {
       {0, 1, 3, 2, 4, 5, 7, 6}};
@@ -63,7 +46,7 @@ namespace lumbricus
       unsigned int
       get_tag()
       {
-        return std::abs(in.get<int>());
+        return std::abs(in.get_integer());
       }
 
       void
@@ -79,16 +62,29 @@ namespace lumbricus
       read_entities();
 
       void
-      read_nodes();
-
-      void
-      add_node(const std::size_t node);
-
-      void
       read_elements();
 
       void
-      add_element(const unsigned int type, const unsigned int tag);
+      read_element_blocks();
+
+      const MshElementType &
+      get_type();
+
+      unsigned int
+      tag_of_entity(const int dimension, const int entity) const;
+
+      void
+      add_element(const std::size_t     number,
+                  const MshElementType &type,
+                  const unsigned int    tag);
+
+      template <std::size_t n>
+      std::array<unsigned int, n>
+      get_vertices();
+
+      void
+      check_number(const std::size_t                number,
+                   const std::vector<unsigned int> &vertices);
 
       void
       check_elements() const;
@@ -99,12 +95,13 @@ namespace lumbricus
       MshLines &in;
       bool      version4 = false;
 
-      MshFile file;
-      bool    has_names = false;
-      /** By dimension and number of an entity. */
+      MshFile  file;
+      MshNodes nodes;
+      /** By dimension and number of an entity; 0 where it is in no group. */
       std::map<std::pair<int, int>, unsigned int> tags;
-      std::map<std::size_t, unsigned int>         vertex_of_node;
-      std::map<std::string, std::size_t>          n_unusable;
+      /** The vertices of the elements that are kept, by their numbers. */
+      std::unordered_map<std::size_t, std::vector<unsigned int>> elements;
+      UnusableVolumes                                            unusable;
     };
 
 
@@ -117,15 +114,15 @@ namespace lumbricus
           " is not a file of Gmsh: it does not begin with '$MeshFormat'. " +
           MshLines::how_to_write);
       in.need();
-      const auto version = in.get<double>();
-      version4           = std::abs(version - 4.1) < 1e-6;
+      const double version = in.get_number();
+      version4             = std::abs(version - 4.1) < 1e-6;
       if (!version4 && !(version > 1.9 && version < 2.9))
         in.fail(" has Gmsh's format " + in.first_word() +
                 "; the formats 2.2 and 4.1 can be read. " +
                 MshLines::how_to_write);
-      if (in.get<int>() != 0)
+      if (in.get_integer() != 0)
         in.fail(" is binary; text can be read. " + MshLines::how_to_write);
-      in.need();
+      in.end_section("$MeshFormat");
     }
 
 
@@ -133,25 +130,35 @@ namespace lumbricus
     void
     Reader::read_section(const std::string &name)
     {
-      if (name == "$PhysicalNames")
-        read_names();
-      else if (name == "$Entities")
-        read_entities();
-      else if (name == "$Nodes")
-        read_nodes();
-      else if (name == "$Elements")
-        read_elements();
-      else if (name == "$PartitionedEntities")
+      if (name.empty() || name[0] != '$')
+        in.fail_in_line(in.shown() + ", is not the begin of a section. " +
+                        MshLines::how_to_write);
+      if (name == "$PartitionedEntities")
         in.fail(
           " has been partitioned. Write it without partitions: the program "
           "makes its own.");
-      else if (name.empty() || name[0] != '$')
-        in.fail_in_line("'" + name + "', is not the begin of a section. " +
-                        MshLines::how_to_write);
 
-      const std::string end = "$End" + name.substr(1);
-      while (in.trimmed() != end)
-        in.need();
+      if (name == "$PhysicalNames")
+        read_names();
+      else if (name == "$Entities" && version4)
+        read_entities();
+      else if (name == "$Nodes" && version4)
+        nodes.read_blocks(in);
+      else if (name == "$Nodes" || (name == "$ParametricNodes" && !version4))
+        nodes.read_list(in, name);
+      else if (name == "$Elements" && version4)
+        read_element_blocks();
+      else if (name == "$Elements")
+        read_elements();
+      else
+        {
+          // Whatever else programs write.
+          const std::string end = "$End" + name.substr(1);
+          while (in.trimmed() != end)
+            in.need();
+          return;
+        }
+      in.end_section(name);
     }
 
 
@@ -159,25 +166,30 @@ namespace lumbricus
     void
     Reader::read_names()
     {
-      in.need();
+      in.begin_section("$PhysicalNames");
       for (std::size_t n = in.get_count(); n > 0; --n)
         {
           in.need();
-          const auto        dimension = in.get<int>();
+          const int         dimension = in.get_integer();
           const auto        tag       = get_tag();
           const std::string line      = in.trimmed();
           const auto        first = line.find('"'), last = line.rfind('"');
-          if (first == last)
+          if (first == last || last + 1 != line.size())
             in.fail_in_line("has no name in quotation marks. " +
                             MshLines::how_to_write);
           const std::string name =
             dealii::Utilities::trim(line.substr(first + 1, last - first - 1));
-          if (dimension == 3)
-            file.volume_names[tag] = name;
-          else if (dimension == 2)
-            file.surface_names[tag] = name;
+          if (tag == 0 || dimension < 0 || dimension > 3)
+            in.fail_in_line(in.shown() +
+                            ", has no physical group: its dimension is 0 to 3, "
+                            "and its number not 0. " +
+                            MshLines::how_to_write);
+          auto &names = dimension == 3 ? file.volume_names : file.surface_names;
+          if (dimension >= 2 && !names.insert({tag, name}).second)
+            in.fail_in_line("names the physical group " + std::to_string(tag) +
+                            " of dimension " + std::to_string(dimension) +
+                            " a second time. Give it one name.");
         }
-      has_names = true;
     }
 
 
@@ -185,73 +197,30 @@ namespace lumbricus
     void
     Reader::read_entities()
     {
-      in.need();
+      in.begin_section("$Entities");
       std::array<std::size_t, 4> n_entities;
       for (std::size_t &n : n_entities)
         n = in.get_count();
-      for (unsigned int d = 0; d < n_entities.size(); ++d)
+      in.need_end_of_line();
+      for (int d = 0; d < 4; ++d)
         for (std::size_t n = n_entities[d]; n > 0; --n)
           {
             in.need();
-            const auto entity = in.get<int>();
+            const int entity = in.get_integer();
             // A point, or the corners of a box.
             for (unsigned int i = 0; i < (d == 0 ? 3 : 6); ++i)
-              in.get<double>();
+              in.get_number();
             const std::size_t n_tags = in.get_count();
             if (n_tags > 1 && d >= 2)
               in.fail_in_line(
                 (d == 2 ? "has a surface" : "has a volume") +
                 std::string(" in two physical groups. Put it into "
                             "one."));
-            if (n_tags == 1)
-              tags[{d, entity}] = get_tag();
+            if (!tags.insert({{d, entity}, n_tags == 1 ? get_tag() : 0}).second)
+              in.fail_in_line("has the entity " + std::to_string(entity) +
+                              " of dimension " + std::to_string(d) +
+                              " a second time. Write the file again.");
           }
-    }
-
-
-
-    void
-    Reader::read_nodes()
-    {
-      in.need();
-      if (!version4)
-        {
-          for (std::size_t n = in.get_count(); n > 0; --n)
-            {
-              in.need();
-              add_node(in.get_count());
-            }
-          return;
-        }
-      for (std::size_t n_blocks = in.get_count(); n_blocks > 0; --n_blocks)
-        {
-          in.need();
-          for (unsigned int i = 0; i < 3; ++i)
-            in.get<int>();
-          std::vector<std::size_t> nodes;
-          for (std::size_t n = in.get_count(); n > 0; --n)
-            {
-              in.need();
-              nodes.push_back(in.get_count());
-            }
-          for (const std::size_t node : nodes)
-            {
-              in.need();
-              add_node(node);
-            }
-        }
-    }
-
-
-
-    void
-    Reader::add_node(const std::size_t node)
-    {
-      dealii::Point<dim> X;
-      for (unsigned int d = 0; d < dim; ++d)
-        X[d] = in.get<double>();
-      vertex_of_node[node] = file.vertices.size();
-      file.vertices.push_back(X);
     }
 
 
@@ -259,76 +228,156 @@ namespace lumbricus
     void
     Reader::read_elements()
     {
-      in.need();
-      if (!version4)
-        {
-          for (std::size_t n = in.get_count(); n > 0; --n)
-            {
-              in.need();
-              in.get_count();
-              const auto   type = in.get<unsigned int>();
-              unsigned int tag  = 0;
-              for (std::size_t i = 0, n_tags = in.get_count(); i < n_tags; ++i)
-                {
-                  const unsigned int other = get_tag();
-                  tag                      = i == 0 ? other : tag;
-                }
-              add_element(type, tag);
-            }
-          return;
-        }
-      for (std::size_t n_blocks = in.get_count(); n_blocks > 0; --n_blocks)
+      in.begin_section("$Elements");
+      const std::size_t n_elements = in.get_count();
+      in.need_end_of_line();
+      for (std::size_t n = 0; n < n_elements; ++n)
         {
           in.need();
-          const auto dimension = in.get<int>();
-          const auto entity    = in.get<int>();
-          const auto type      = in.get<unsigned int>();
-          const auto found     = tags.find({dimension, entity});
-          const auto tag       = found == tags.end() ? 0 : found->second;
-          for (std::size_t n = in.get_count(); n > 0; --n)
+          const std::size_t     number = in.get_count();
+          const MshElementType &type   = get_type();
+          unsigned int          tag    = 0;
+          for (std::size_t i = 0, n_tags = in.get_count(); i < n_tags; ++i)
             {
-              in.need();
-              in.get_count();
-              add_element(type, tag);
+              const unsigned int other = get_tag();
+              tag                      = i == 0 ? other : tag;
             }
+          add_element(number, type, tag);
         }
     }
 
 
 
     void
-    Reader::add_element(const unsigned int type, const unsigned int tag)
+    Reader::read_element_blocks()
     {
-      const auto vertex = [&]() {
-        const auto found = vertex_of_node.find(in.get_count());
-        if (found == vertex_of_node.end())
-          in.fail_in_line(
-            "names a node the file does not have. Write it again.");
-        return found->second;
-      };
-
-      if (type == hexahedron)
+      if (!in.had_section("$Entities"))
+        in.fail(
+          " has no section '$Entities' before its elements, so nothing says "
+          "which physical group they are in. Programs that leave it out, as "
+          "meshio does, can write the format 2.2, which needs none: "
+          "meshio.write(file, mesh, file_format=\"gmsh22\").");
+      in.begin_section("$Elements");
+      const std::size_t n_blocks = in.get_count(), n_elements = in.get_count();
+      std::size_t       n_read = 0;
+      for (std::size_t block = 0; block < n_blocks; ++block)
         {
-          std::array<unsigned int, 8> of_gmsh;
-          for (unsigned int &v : of_gmsh)
-            v = vertex();
+          in.need();
+          const int             dimension = in.get_integer();
+          const int             entity    = in.get_integer();
+          const MshElementType &type      = get_type();
+          if (dimension != type.dimension)
+            in.fail_in_line("has " + type.name + " in an entity of dimension " +
+                            std::to_string(dimension) +
+                            ". Write the file again.");
+          const unsigned int tag = tag_of_entity(dimension, entity);
+          const std::size_t  n   = in.get_count();
+          in.need_end_of_line();
+          for (std::size_t i = 0; i < n; ++i)
+            {
+              in.need();
+              add_element(in.get_count(), type, tag);
+            }
+          n_read += n;
+        }
+      in.check_count("elements", n_read, n_elements);
+    }
+
+
+
+    const MshElementType &
+    Reader::get_type()
+    {
+      const int             number = in.get_integer();
+      const MshElementType *type   = MshElementType::find(number);
+      if (type == nullptr)
+        in.fail_in_line("has an element of type " + std::to_string(number) +
+                        ", which is none of Gmsh's. " + MshLines::how_to_write);
+      return *type;
+    }
+
+
+
+    unsigned int
+    Reader::tag_of_entity(const int dimension, const int entity) const
+    {
+      const auto found = tags.find({dimension, entity});
+      if (found == tags.end() && dimension >= 2)
+        in.fail_in_line("has elements of the entity " + std::to_string(entity) +
+                        " of dimension " + std::to_string(dimension) +
+                        ", which '$Entities' does not have. Write the file "
+                        "again.");
+      return found == tags.end() ? 0 : found->second;
+    }
+
+
+
+    template <std::size_t n>
+    std::array<unsigned int, n>
+    Reader::get_vertices()
+    {
+      std::array<unsigned int, n> vertices;
+      for (unsigned int &v : vertices)
+        v = nodes.get_vertex(in);
+      return vertices;
+    }
+
+
+
+    void
+    Reader::check_number(const std::size_t                number,
+                         const std::vector<unsigned int> &vertices)
+    {
+      auto sorted = vertices;
+      std::sort(sorted.begin(), sorted.end());
+      if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+        in.fail_in_line("has an element with one node twice. " +
+                        UnusableVolumes::how_to_mesh);
+
+      // A face in two physical surfaces is there once for each.
+      const auto entry = elements.insert({number, sorted});
+      if (!entry.second &&
+          (sorted.size() == 8 || entry.first->second != sorted))
+        in.fail_in_line("has element " + std::to_string(number) +
+                        " a second time. Every element has a number of its "
+                        "own, and is in one physical group: write the file "
+                        "again.");
+    }
+
+
+
+    void
+    Reader::add_element(const std::size_t     number,
+                        const MshElementType &type,
+                        const unsigned int    tag)
+    {
+      if (&type == MshElementType::find(MshElementType::hexahedron))
+        {
+          const auto            of_gmsh = get_vertices<8>();
           dealii::CellData<dim> cell;
           for (unsigned int v = 0; v < 8; ++v)
             cell.vertices[v] = of_gmsh[gmsh_vertex[v]];
           cell.material_id = tag;
+          in.need_end_of_line();
+          check_number(number, {of_gmsh.begin(), of_gmsh.end()});
           file.cells.push_back(cell);
         }
-      else if (type == quadrilateral && tag > 0)
+      else if (&type == MshElementType::find(MshElementType::quadrilateral))
         {
           MshFile::Face face;
-          for (unsigned int &v : face.vertices)
-            v = vertex();
+          face.vertices = get_vertices<4>();
+          in.need_end_of_line();
+          if (tag == 0)
+            return;
+          check_number(number, {face.vertices.begin(), face.vertices.end()});
           std::sort(face.vertices.begin(), face.vertices.end());
           face.tag = tag;
           file.faces.push_back(face);
         }
-      else if (unusable_volumes.count(type) > 0)
-        ++n_unusable[unusable_volumes.at(type)];
+      else if (type.dimension == 2 && type.n_corners > 0 && tag > 0)
+        file.other_faces.push_back({get_vertices<3>(), tag, type.name});
+      else if (type.dimension == 3)
+        unusable.add(type);
     }
 
 
@@ -336,22 +385,15 @@ namespace lumbricus
     void
     Reader::check_elements() const
     {
-      for (const auto &[what, n] : n_unusable)
-        if (what.find("order") == std::string::npos)
-          in.fail(" has " + std::to_string(n) + " " + what +
-                  "; only hexahedra can be used. " + how_to_mesh);
-        else
-          in.fail(
-            " has " + std::to_string(n) + " " + what +
-            "; only hexahedra of eight nodes can be used. Set "
-            "'Mesh.ElementOrder = 1;'. Round surfaces become round by the "
-            "parameter 'Round surfaces'.");
+      const std::string wrong = unusable.what_is_wrong(file.cells.size());
+      if (!wrong.empty())
+        in.fail(wrong);
       if (file.cells.empty())
         in.fail(" has no volume elements. Mesh the volumes (gmsh -3), and put "
                 "each into a 'Physical Volume': Gmsh leaves out what is in no "
                 "physical group. " +
-                how_to_mesh);
-      if (!has_names)
+                UnusableVolumes::how_to_mesh);
+      if (!in.had_section("$PhysicalNames"))
         in.fail(
           " has no physical names, so nothing says what its cells are. Give "
           "every volume a name as in 'Physical Volume(\"wall\") = {1};'.");
@@ -363,7 +405,7 @@ namespace lumbricus
     Reader::keep_used_vertices()
     {
       std::vector<unsigned int> new_number(
-        file.vertices.size(), dealii::numbers::invalid_unsigned_int);
+        nodes.points().size(), dealii::numbers::invalid_unsigned_int);
       std::vector<dealii::Point<dim>> used;
       for (auto &cell : file.cells)
         for (auto &v : cell.vertices)
@@ -371,7 +413,7 @@ namespace lumbricus
             if (new_number[v] == dealii::numbers::invalid_unsigned_int)
               {
                 new_number[v] = used.size();
-                used.push_back(file.vertices[v]);
+                used.push_back(nodes.points()[v]);
               }
             v = new_number[v];
           }
@@ -385,6 +427,9 @@ namespace lumbricus
             v = new_number[v];
           std::sort(face.vertices.begin(), face.vertices.end());
         }
+      for (auto &face : file.other_faces)
+        for (auto &v : face.corners)
+          v = new_number[v];
     }
 
 

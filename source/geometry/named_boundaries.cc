@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/expression.h>
 #include <lumbricus/geometry/named_boundaries.h>
+#include <lumbricus/geometry/round_axis.h>
 
 #include <deal.II/base/bounding_box.h>
 
@@ -115,38 +116,158 @@ namespace lumbricus
 
 
 
+    // A surface of the body of which not all is boundary.
     void
-    find_round_faces(const NameOfFace               &name_of_face,
-                     const std::vector<std::string> &round_surfaces,
-                     const MeshMessages             &messages,
-                     NamedMesh                      &mesh)
+    find_inner_surfaces(const NameOfFace &name_of_face,
+                        const FaceCounts &n_cells,
+                        NamedMesh        &mesh)
+    {
+      std::map<std::string, std::array<unsigned int, 3>> n_faces;
+      std::map<std::string, dealii::Point<dim>>          first;
+      for (const auto &[key, name] : name_of_face)
+        {
+          const unsigned int n = n_cells.at(key);
+          ++n_faces[name][n];
+          if (n == 2 && n_faces[name][2] == 1)
+            for (const unsigned int v : key)
+              first[name] += mesh.vertices[v] / 4.;
+        }
+      for (const auto &[name, n] : n_faces)
+        if (n[2] > 0)
+          mesh.inner_surfaces[name] =
+            "is a physical surface inside the body: " +
+            (n[1] == 0 ? "all" :
+                         std::to_string(n[2]) + " of its " +
+                           std::to_string(n[1] + n[2])) +
+            " faces have cells on both sides, as that at " +
+            point_text(first[name]);
+    }
+
+
+
+    // Throw where a surface would be lost in silence, or a part of it.
+    void
+    check_faces(const MshFile      &file,
+                const FaceCounts   &n_cells,
+                const MeshMessages &messages,
+                const NamedMesh    &mesh)
+    {
+      const auto name_of = [&](const unsigned int tag) {
+        const auto name = file.surface_names.find(tag);
+        return name == file.surface_names.end() ? std::to_string(tag) :
+                                                  name->second;
+      };
+      const auto of_body = [](const auto &corners) {
+        return std::find(corners.begin(),
+                         corners.end(),
+                         dealii::numbers::invalid_unsigned_int) ==
+               corners.end();
+      };
+      for (const auto &face : file.other_faces)
+        if (of_body(face.corners))
+          messages.fail(" has " + face.kind + " in its physical surface '" +
+                        name_of(face.tag) + "', as at " +
+                        point_text(mesh.vertices[face.corners[0]]) +
+                        ", but faces of hexahedra are quadrilaterals of four "
+                        "nodes. Mesh the surface with 'Recombine', together "
+                        "with the volume.");
+
+      std::set<std::string> names, with_faces;
+      for (const auto &face : file.faces)
+        {
+          names.insert(name_of(face.tag));
+          if (n_cells.count(face.vertices) > 0)
+            with_faces.insert(name_of(face.tag));
+          else if (of_body(face.vertices))
+            messages.fail(" has a quadrilateral in its physical surface '" +
+                          name_of(face.tag) + "' that is no face of a cell, "
+                          "between " +
+                          point_text(mesh.vertices[face.vertices[0]]) +
+                          " and " +
+                          point_text(mesh.vertices[face.vertices[3]]) +
+                          ". Mesh surfaces and volumes together.");
+        }
+      for (const std::string &plane : symmetry_names)
+        if (names.count(plane) > 0 && with_faces.count(plane) == 0)
+          messages.fail(" has the plane of mirror symmetry '" + plane +
+                        "', but no cell has a face in it. Mesh it together "
+                        "with the volume it bounds, or remove its name.");
+    }
+
+
+
+    // Throw where a face is not round about the axis, as the circle about it
+    // would bend the body.
+    void
+    check_round_face(const FaceKey      &key,
+                     const std::string  &surface,
+                     const RoundAxis    &axis,
+                     const MeshMessages &messages,
+                     const NamedMesh    &mesh)
+    {
+      std::array<dealii::Point<dim>, 4> corners;
+      double                            size = 0., least = 0., most = 0.;
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          corners[i] = mesh.vertices[key[i]];
+          for (unsigned int j = 0; j < i; ++j)
+            size = std::max(size, corners[i].distance(corners[j]));
+        }
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          const double r = axis.radius(corners[i]);
+          least          = i == 0 ? r : std::min(least, r);
+          most           = std::max(most, r);
+          if (r < 1e-6 * size)
+            messages.fail("Round surfaces",
+                          " has the physical surface '" + surface + "' on " +
+                            axis.name + ", at " + point_text(corners[i]) +
+                            ", and so it cannot be round about it. Remove it "
+                            "from the list, or set 'Round axis'.");
+        }
+
+      // Of coordinates with few digits, and of an irregular mesh on a ball.
+      constexpr double tolerance_of_radius = 1e-3, tolerance_of_profile = 0.05;
+      const auto       deviation = axis.deviation(corners);
+      if (deviation.of_radius < tolerance_of_radius &&
+          deviation.of_profile < tolerance_of_profile)
+        return;
+      std::ostringstream message;
+      message << " has the physical surface '" << surface
+              << "', which is not round about " << axis.name
+              << ": the corners of its face at " << point_text(corners[0])
+              << " have distances from the axis of " << least << " to " << most
+              << " mm, and are "
+              << size * std::max(deviation.of_radius, deviation.of_profile)
+              << " mm off a surface of revolution. Set 'Round axis' to the "
+                 "axis it is round about, or remove the surface from the list.";
+      messages.fail("Round surfaces", message.str());
+    }
+
+
+
+    void
+    find_round_faces(const NameOfFace       &name_of_face,
+                     const NamedMeshChoices &choices,
+                     const MeshMessages     &messages,
+                     NamedMesh              &mesh)
     {
       std::set<std::string> names;
       for (const auto &entry : name_of_face)
         names.insert(entry.second);
       messages.check_list("Round surfaces",
                           "physical surface",
-                          round_surfaces,
+                          choices.round_surfaces,
                           names);
 
-      const double tolerance =
-        1e-6 * dealii::BoundingBox<dim>(mesh.vertices).side_length(0);
-      const std::set<std::string> round(round_surfaces.begin(),
-                                        round_surfaces.end());
+      const RoundAxis             axis(messages.section + "/Round axis",
+                           choices.round_axis);
+      const std::set<std::string> round(choices.round_surfaces.begin(),
+                                        choices.round_surfaces.end());
       for (const auto &[key, name] : name_of_face)
         if (round.count(name) > 0)
           {
-            for (const unsigned int v : key)
-              {
-                const auto &X = mesh.vertices[v];
-                if (std::hypot(X[1], X[2]) < tolerance)
-                  messages.fail(
-                    "Round surfaces",
-                    " has the physical surface '" + name +
-                      "' on the x axis, at " + point_text(X) +
-                      ", and so it cannot be round about it. Remove it "
-                      "from the list.");
-              }
+            check_round_face(key, name, axis, messages, mesh);
             mesh.round_faces.insert(key);
           }
     }
@@ -155,16 +276,17 @@ namespace lumbricus
 
 
   void
-  name_boundaries(const MshFile                  &file,
-                  const std::vector<std::string> &round_surfaces,
-                  const MeshMessages             &messages,
-                  NamedMesh                      &mesh)
+  name_boundaries(const MshFile          &file,
+                  const NamedMeshChoices &choices,
+                  const MeshMessages     &messages,
+                  NamedMesh              &mesh)
   {
     FaceCounts n_cells;
     for (const auto &cell : mesh.cells)
       for (unsigned int f = 0; f < 6; ++f)
         ++n_cells[face_key(cell, f)];
 
+    check_faces(file, n_cells, messages, mesh);
     NameOfFace name_of_face;
     for (const auto &face : file.faces)
       {
@@ -181,6 +303,7 @@ namespace lumbricus
 
     name_faces(file, name_of_face, n_cells, messages, mesh);
     check_symmetry_planes(mesh, messages);
-    find_round_faces(name_of_face, round_surfaces, messages, mesh);
+    find_inner_surfaces(name_of_face, n_cells, mesh);
+    find_round_faces(name_of_face, choices, messages, mesh);
   }
 } // namespace lumbricus

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/expression.h>
+#include <lumbricus/core/names.h>
+#include <lumbricus/core/user_text.h>
 #include <lumbricus/geometry/mesh_checks.h>
 #include <lumbricus/geometry/mesh_measures.h>
 #include <lumbricus/geometry/msh_file.h>
@@ -89,7 +91,7 @@ namespace lumbricus
       if (!wrong.empty())
         messages.fail(wrong);
       check_liquids();
-      name_boundaries(file, choices.round_surfaces, messages, mesh);
+      name_boundaries(file, choices, messages, mesh);
 
       mesh.sections = mesh_sections(mesh.vertices,
                                     mesh.cells,
@@ -133,13 +135,14 @@ namespace lumbricus
           if (used.count(tag) == 0)
             continue;
           const auto [tissue, segment] = tissue_and_segment(name);
-          if (tissue.empty() || segment == 0 ||
-              tissue.find_first_of("/#,") != std::string::npos)
+          const std::string unfit = unfit_name(tissue);
+          if (segment == 0 || !unfit.empty())
             messages.fail(
-              " has a physical volume '" + name +
-              "'. The name has to be that of a tissue, without '/', '#' and "
-              "commas, with the number of the segment, from 1, after it, as in "
-              "'wall 2'.");
+              " has a physical volume '" + shortened(name) +
+              "': " + (segment == 0 ? "the segment is 0" : "it " + unfit) +
+              ". The name has to be that of a tissue, without '/', '#', '=' "
+              "and commas, with the number of the segment, from 1, after it, "
+              "as in 'wall 2'.");
           if (index.insert({tissue, mesh.tissues.size()}).second)
             mesh.tissues.push_back({tissue, false, false});
           segments.insert(segment);
@@ -227,7 +230,8 @@ namespace lumbricus
   {
     const auto all = [](const NamedMeshChoices &c) {
       return std::tie(
-        c.file_name, c.liquids, c.wall_layers, c.round_surfaces, c.scale);
+        c.file_name, c.liquids, c.wall_layers, c.round_surfaces, c.round_axis,
+        c.scale);
     };
     return all(*this) == all(other);
   }

@@ -65,6 +65,12 @@ namespace lumbricus
       return section.symmetry_planes(boundary_names().size());
     }
 
+    std::string
+    way_without_symmetry() const override
+    {
+      return "Set 'Geometry/open cylinder/Cross-section' to 'full'.";
+    }
+
     std::vector<SegmentSections>
     sections() const override
     {

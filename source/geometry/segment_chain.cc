@@ -148,6 +148,12 @@ namespace lumbricus
       return section.symmetry_planes(n_boundaries);
     }
 
+    std::string
+    way_without_symmetry() const override
+    {
+      return "Set 'Geometry/segment chain/Cross-section' to 'full'.";
+    }
+
     std::vector<SegmentSections>
     sections() const override
     {

@@ -106,7 +106,7 @@ namespace lumbricus
                       names,
                       "The loads and supports of this run, names of your "
                       "own, each with a section of that name here.",
-                      dealii::Patterns::List(Name()));
+                      NameList());
     prm.add_parameter("Minimal support",
                       hold_rigid_motions,
                       "Whether to hold the rigid motions that nothing else "
@@ -150,7 +150,16 @@ namespace lumbricus
     for (unsigned int i = 0; i < conditions.size(); ++i)
       {
         NamedCondition &condition = conditions[i];
-        const auto      place =
+        const std::string inside =
+          geometry.inside_of_body(condition.boundary_name);
+        AssertThrow(inside.empty(),
+                    ExcParameter(section + "/" + condition.name + "/Boundary",
+                                 "is '" + condition.boundary_name +
+                                   "', which " + inside +
+                                   ". Loads and supports act at the boundary "
+                                   "of the body. Give one of " +
+                                   quoted_list(known) + "."));
+        const auto place =
           std::find(known.begin(), known.end(), condition.boundary_name);
         AssertThrow(place != known.end(),
                     ExcParameter(section + "/" + condition.name + "/Boundary",
@@ -204,6 +213,71 @@ namespace lumbricus
       message =
         bad_value(*conditions[i].type, centers[conditions[i].boundary], times);
     throw_on_all_ranks<ExcInput>(message, triangulation.get_communicator());
+  }
+
+
+
+  unsigned int
+  BoundaryConditions::n_conditions() const
+  {
+    return conditions.size();
+  }
+
+
+
+  const NamedCondition &
+  BoundaryConditions::condition(const unsigned int i) const
+  {
+    return conditions[i];
+  }
+
+
+
+  std::vector<LoadCurve>
+  BoundaryConditions::load_curves(
+    const dealii::parallel::TriangulationBase<dim> &triangulation) const
+  {
+    // All ranks have all cells of the coarse mesh.
+    constexpr std::size_t most_points = 5;
+    std::map<dealii::types::boundary_id, std::vector<dealii::Point<dim>>>
+      centers;
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary())
+          centers[face->boundary_id()].push_back(face->center(true));
+
+    std::vector<LoadCurve> curves;
+    for (unsigned int i = 0; i < conditions.size(); ++i)
+      {
+        const BoundaryCondition *condition = conditions[i].type.get();
+        const auto points = some_of(centers[conditions[i].boundary], most_points);
+        if (condition->acts_on_surface())
+          for (const Expression &expression : condition->expressions())
+            {
+              LoadCurve curve;
+              curve.what = "'" + expression.parameter() + "'";
+              for (const dealii::Point<dim> &X : points)
+                curve.values.push_back([expression, X](const double t) {
+                  return expression.value(X, t);
+                });
+              curves.push_back(curve);
+            }
+        const auto prescribed = condition->prescribed_components();
+        for (unsigned int c = 0; c < dim; ++c)
+          if (prescribed[c])
+            {
+              LoadCurve curve;
+              curve.what = "the displacement of '" + section + "/" +
+                           conditions[i].name + "'";
+              curve.where = std::string(" along ") + "xyz"[c];
+              for (const dealii::Point<dim> &X : points)
+                curve.values.push_back([condition, c, X](const double t) {
+                  return condition->prescribed_displacement(c, X, t);
+                });
+              curves.push_back(curve);
+            }
+      }
+    return curves;
   }
 
 

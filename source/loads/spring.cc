@@ -3,6 +3,8 @@
 #include <lumbricus/core/registry.h>
 #include <lumbricus/loads/boundary_condition.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <memory>
 
 namespace lumbricus

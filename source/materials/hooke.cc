@@ -40,6 +40,12 @@ namespace lumbricus
       return E / (2. * (1. + nu));
     }
 
+    void
+    scale_stiffness(const double factor) override
+    {
+      E *= factor;
+    }
+
     double
     energy(const Tensor<2, dim> &F,
            const double          p,

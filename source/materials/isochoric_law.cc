@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/materials/isochoric_law.h>
 
+#include <deal.II/base/patterns.h>
+
 #include <cmath>
 
 namespace lumbricus

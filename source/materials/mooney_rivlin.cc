@@ -38,6 +38,13 @@ namespace lumbricus
       return a + b;
     }
 
+    void
+    scale_stiffness(const double factor) override
+    {
+      a *= factor;
+      b *= factor;
+    }
+
   protected:
     double
     isochoric_energy(const SymmetricTensor<2, dim> &bbar) const override

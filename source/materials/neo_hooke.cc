@@ -31,6 +31,12 @@ namespace lumbricus
       return a;
     }
 
+    void
+    scale_stiffness(const double factor) override
+    {
+      a *= factor;
+    }
+
   protected:
     double
     isochoric_energy(const SymmetricTensor<2, dim> &bbar) const override

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/local_constraints.h>
 #include <lumbricus/multigrid/coarse_level.h>
 
+#include <deal.II/base/config.h>
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -51,10 +55,12 @@ namespace lumbricus
         std::sort(known.begin(), known.end());
         AssertThrow(known.empty() || known.back() < n_unknowns,
                     dealii::ExcInternalError());
-        dealii::IndexSet lines(n_unknowns);
+        dealii::IndexSet owned(n_unknowns);
+        owned.add_range(first, first + n_owned);
+        dealii::IndexSet lines = owned;
         lines.add_indices(known.begin(), known.end());
         lines.compress();
-        dealii::AffineConstraints<double> constraints(lines);
+        auto constraints = local_constraints(owned, lines);
         for (const auto &[line, entries] : constrained)
           {
             constraints.add_line(line);
@@ -63,8 +69,6 @@ namespace lumbricus
           }
 
         level.own = std::make_unique<CellUnknowns>(space);
-        dealii::IndexSet owned(n_unknowns);
-        owned.add_range(first, first + n_owned);
         level.own->reinit(owned, of_cells, constraints);
         level.unknowns   = level.own.get();
         level.n_unknowns = n_unknowns;

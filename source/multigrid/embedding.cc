@@ -4,6 +4,7 @@
 #include <deal.II/fe/fe_dgp.h>
 #include <deal.II/fe/fe_q.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lumbricus

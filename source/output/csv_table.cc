@@ -6,38 +6,81 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 
 namespace lumbricus
 {
-  CsvTable::CsvTable(const RunFolder                &folder,
+  namespace
+  {
+    // Whether the first @p size bytes of a file begin with @p line.
+    bool
+    begins_with(const std::string   &file_name,
+                const std::string   &line,
+                const std::uintmax_t size)
+    {
+      std::ifstream in(file_name, std::ios::binary);
+      std::string   present(line.size(), '\0');
+      in.read(present.data(), present.size());
+      return size >= line.size() && in && present == line;
+    }
+  } // namespace
+
+
+
+  CsvTable::CsvTable(RunFolder                      &folder,
                      const std::string              &name,
                      const std::vector<std::string> &columns,
                      const MPI_Comm                  comm)
-    : name(name)
+    : folder(folder)
+    , name(name)
     , file_name(folder.path() + "/" + name)
     , n_columns(columns.size())
     , comm(comm)
     , writes(dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+    , started(folder.continues(name))
   {
+    std::string first_line;
+    for (const std::string &column : columns)
+      first_line += (first_line.empty() ? "" : ",") + column;
+    first_line += '\n';
+
+    folder.claim(name);
     pending.precision(15);
-    if (folder.continues(name))
-      return;
-    folder.write_collectively(name, writes, [&](std::ostream &out) {
-      for (const std::string &column : columns)
-        out << (&column == &columns.front() ? "" : ",") << column;
-      out << '\n';
-    });
+    if (started)
+      {
+        content = folder.content(name);
+        throw_on_all_ranks<ExcInput>(
+          !writes || begins_with(file_name, first_line, content.value().size) ?
+            "" :
+            "The table '" + file_name +
+              "' has other columns than this version writes. Go on with the "
+              "version that wrote it, or start the run from its parameter "
+              "file.",
+          comm);
+      }
+    else
+      pending << first_line;
   }
 
 
 
-  std::pair<std::string, std::uintmax_t>
-  CsvTable::name_and_size() const
+  std::string
+  csv_text(const std::string &text)
   {
-    // Where the file is gone the next row will say so, on all ranks.
-    std::error_code error;
-    const auto size = writes ? std::filesystem::file_size(file_name, error) : 0;
-    return {name, error ? 0 : size};
+    if (text.find_first_of(",\"\n\r") == std::string::npos)
+      return text;
+    std::string quoted = "\"";
+    for (const char c : text)
+      quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+  }
+
+
+
+  std::pair<std::string, Fingerprint>
+  CsvTable::name_and_content() const
+  {
+    return {name, content.value()};
   }
 
 
@@ -55,16 +98,33 @@ namespace lumbricus
   void
   CsvTable::flush()
   {
-    std::string reason;
-    if (writes)
-      {
-        std::ofstream out(file_name, std::ios::app);
-        out << pending.str() << std::flush;
-        if (!out)
-          reason = "The file '" + file_name +
-                   "' cannot be written: " + std::strerror(errno) + ".";
-      }
+    const std::string rows = pending.str();
     pending.str("");
-    throw_on_all_ranks<ExcSolveFailed>(reason, comm);
+    if (!started)
+      folder.write_collectively(name, writes, [&](std::ostream &out) {
+        out << rows;
+      });
+    else
+      throw_on_all_ranks<ExcSolveFailed>(writes ? append(rows) : "", comm);
+    started = true;
+    content.add(rows);
+  }
+
+
+
+  std::string
+  CsvTable::append(const std::string &rows) const
+  {
+    const std::string begin =
+      "The file '" + file_name + "' cannot be written: ";
+    std::error_code error;
+    const auto      present = std::filesystem::file_size(file_name, error);
+    if (error)
+      return begin + error.message() + ".";
+    if (present != content.value().size)
+      return begin + "somebody else has changed it.";
+    std::ofstream out(file_name, std::ios::app);
+    out << rows << std::flush;
+    return out ? "" : begin + std::strerror(errno) + ".";
   }
 } // namespace lumbricus

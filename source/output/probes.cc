@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/expression.h>
+#include <lumbricus/core/number_in_text.h>
+#include <lumbricus/core/user_text.h>
 #include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/output/probes.h>
 
-#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
-#include <deal.II/grid/filtered_iterator.h>
+#include <deal.II/fe/mapping.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace lumbricus
@@ -31,7 +30,9 @@ namespace lumbricus
                       list,
                       "[mm] Material points 'x, y, z' at rest, separated by "
                       "semicolons, whose displacement and stress are written "
-                      "to points.csv.");
+                      "to points.csv. For a point that is outside of the mesh "
+                      "by less than a tenth of a cell, as on a curved surface, "
+                      "those of the nearest point of the body.");
   }
 
 
@@ -42,33 +43,26 @@ namespace lumbricus
     std::vector<dealii::Point<dim>> all;
     for (const std::string &text :
          dealii::Utilities::split_string_list(list, ';'))
-      try
-        {
-          const auto coordinates = dealii::Utilities::string_to_double(
-            dealii::Utilities::split_string_list(text, ','));
-          AssertThrow(coordinates.size() == dim &&
-                        std::all_of(coordinates.begin(),
-                                    coordinates.end(),
-                                    [](const double x) {
-                                      return std::isfinite(x);
-                                    }),
-                      dealii::ExcMessage("not three numbers"));
-          all.emplace_back(coordinates[0], coordinates[1], coordinates[2]);
-        }
-      catch (const dealii::ExceptionBase &)
-        {
-          AssertThrow(false,
-                      ExcInput("Parameter 'Output/Points': '" + text +
-                               "' is not a point. Give three numbers a point, "
-                               "as in '0, 0, 2; 1, 0, 2'."));
-        }
+      {
+        const std::vector<std::string> words =
+          dealii::Utilities::split_string_list(text, ',');
+        dealii::Point<dim> point;
+        bool               is_point = words.size() == dim;
+        for (unsigned int d = 0; d < dim && is_point; ++d)
+          is_point = read_number(words[d], point[d]);
+        AssertThrow(is_point,
+                    ExcInput("Parameter 'Output/Points': '" + shortened(text) +
+                             "' is not a point. Give three numbers a point, "
+                             "as in '0, 0, 2; 1, 0, 2'."));
+        all.push_back(point);
+      }
     return all;
   }
 
 
 
   Probes::Probes(const std::vector<dealii::Point<dim>> &points,
-                 const RunFolder                       &folder,
+                 RunFolder                             &folder,
                  const MixedSpace                      &space,
                  const CellFields                      &cell_fields)
     : points(points)
@@ -97,7 +91,8 @@ namespace lumbricus
   {
     places.clear();
     for (const auto &point : points)
-      places.push_back(find(point, space));
+      places.push_back(
+        nearest_point(point, space.triangulation, space.mapping));
   }
 
 
@@ -118,55 +113,35 @@ namespace lumbricus
 
 
 
-  void
+  std::string
   Probes::check(const std::vector<dealii::Point<dim>> &points,
                 const MixedSpace                      &space)
   {
+    std::ostringstream text;
     for (const auto &point : points)
-      find(point, space);
-  }
-
-
-
-  Probes::Place
-  Probes::find(const dealii::Point<dim> &point, const MixedSpace &space)
-  {
-    Place  best;
-    double least = std::numeric_limits<double>::max();
-    for (const auto &cell : space.triangulation.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
       {
-        if (cell->center().distance(point) > cell->diameter())
-          continue;
-        try
-          {
-            const auto unit =
-              space.mapping.transform_real_to_unit_cell(cell, point);
-            const double distance =
-              dealii::GeometryInfo<dim>::distance_to_unit_cell(unit);
-            if (distance < least)
-              {
-                least           = distance;
-                best.cell       = cell;
-                best.unit_point = unit;
-              }
-          }
-        catch (const dealii::Mapping<dim>::ExcTransformationFailed &)
-          {
-            // So far outside that the map cannot be inverted there.
-          }
+        const NearestPoint nearest =
+          nearest_point(point, space.triangulation, space.mapping);
+        constexpr double   farthest = 0.1;
+        std::ostringstream message;
+        message << "Parameter 'Output/Points': the point " << point_text(point)
+                << " is not in the body. The nearest point of the mesh at rest "
+                   "is "
+                << point_text(nearest.position) << ", " << nearest.distance
+                << " mm away, which is more than " << farthest
+                << " of the cell there. Give a point of the body; with a "
+                   "quarter cross-section, y and z are not negative.";
+        AssertThrow(nearest.distance <= farthest * nearest.cell_size,
+                    ExcInput(message.str()));
+        // No more than rounding, as of a number with seven digits.
+        if (nearest.distance > 1e-6 * nearest.cell_size)
+          text << "The point " << point_text(point)
+               << " of 'Output/Points' is outside of the mesh: the nearest "
+                  "point of the body, "
+               << nearest.distance << " mm away at "
+               << point_text(nearest.position) << ", stands for it.\n";
       }
-
-    const auto nearest =
-      dealii::Utilities::MPI::min_max_avg(least, space.communicator());
-    std::ostringstream message;
-    message << "Parameter 'Output/Points': the point " << point_text(point)
-            << " is not in the body. Give a point of the mesh at rest; with a "
-               "quarter cross-section, y and z are not negative.";
-    AssertThrow(nearest.min < 1e-6, ExcInput(message.str()));
-    best.mine = nearest.min_index ==
-                dealii::Utilities::MPI::this_mpi_process(space.communicator());
-    return best;
+    return text.str();
   }
 
 

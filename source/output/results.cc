@@ -22,7 +22,7 @@ namespace lumbricus
 
 
 
-  Results::Results(const RunFolder                       &folder,
+  Results::Results(RunFolder                             &folder,
                    const MixedSpace                      &space,
                    const ShapeCache                      &shapes,
                    const Anatomy                         &anatomy,
@@ -63,6 +63,18 @@ namespace lumbricus
               "eta",
               "largest_deviator"},
              space.communicator())
+    , reactions(folder,
+                "reactions.csv",
+                {"t",
+                 "kind",
+                 "name",
+                 "force_x",
+                 "force_y",
+                 "force_z",
+                 "moment_x",
+                 "moment_y",
+                 "moment_z"},
+                space.communicator())
     , steps(folder,
             "steps.csv",
             {"step",
@@ -127,6 +139,7 @@ namespace lumbricus
   {
     write_segments(state, step);
     write_resets(step);
+    write_reactions(step);
     write_steps(step);
     write_newton(step);
     write_mesh(step);
@@ -157,10 +170,15 @@ namespace lumbricus
   void
   Results::note(RunProgress &progress) const
   {
-    for (const CsvTable *table :
-         {&segments, &resets, &steps, &newton, &mesh, probes.csv_table()})
+    for (const CsvTable *table : {&segments,
+                                  &resets,
+                                  &reactions,
+                                  &steps,
+                                  &newton,
+                                  &mesh,
+                                  probes.csv_table()})
       if (table != nullptr)
-        progress.table_sizes.insert(table->name_and_size());
+        progress.tables.insert(table->name_and_content());
     progress.vtu_files      = vtu.files();
     progress.vtu_is_current = vtu_is_current;
   }
@@ -232,6 +250,46 @@ namespace lumbricus
             }
       }
     resets.flush();
+  }
+
+
+
+  void
+  Results::write_reactions(const StepRecord &step)
+  {
+    if (step.external_forces.empty())
+      return;
+    const auto write_row = [&](const std::string   &kind,
+                               const std::string   &name,
+                               const ExternalForce &entry) {
+      reactions << step.time << kind << csv_text(name);
+      for (unsigned int c = 0; c < dim; ++c)
+        reactions << entry.force[c];
+      for (unsigned int c = 0; c < dim; ++c)
+        reactions << entry.moment[c];
+      reactions.end_row();
+    };
+    ExternalForce minimal_support, sum;
+    bool          any = false;
+    for (const ExternalForce &entry : step.external_forces)
+      {
+        sum += entry;
+        if (entry.kind == ExternalForce::Kind::minimal_support)
+          {
+            minimal_support += entry;
+            any = true;
+          }
+        else
+          write_row(entry.kind == ExternalForce::Kind::symmetry ?
+                      "symmetry plane" :
+                      "boundary condition",
+                    entry.name,
+                    entry);
+      }
+    if (any)
+      write_row("minimal support", "minimal support", minimal_support);
+    write_row("sum", "sum", sum);
+    reactions.flush();
   }
 
 

@@ -29,10 +29,18 @@ namespace lumbricus
       wish("OPENBLAS_CORETYPE", "SKYLAKEX");
 #endif
 
-    // The library has read its environment already. If this fails the program
-    // goes on as it is, only slower.
-    if (changed)
-      execv("/proc/self/exe", argv);
+    if (!changed)
+      return;
+    // The library has read its environment already. The file itself is named,
+    // not the link to it: a process is called by what was started, and this one
+    // is to stay what ps and pkill know it by. If this fails the program goes
+    // on as it is, only slower.
+    std::error_code             error;
+    const std::filesystem::path program =
+      std::filesystem::read_symlink("/proc/self/exe", error);
+    if (!error)
+      execv(program.c_str(), argv);
+    execv("/proc/self/exe", argv);
   }
 
 

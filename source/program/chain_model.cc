@@ -2,6 +2,7 @@
 #include <lumbricus/adaptivity/cell_cost.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/program/chain_model.h>
+#include <lumbricus/program/load_balance.h>
 
 namespace lumbricus
 {
@@ -54,6 +55,13 @@ namespace lumbricus
     number_unknowns();
     reinit();
     parameters.try_expressions(triangulation);
+    const auto times = parameters.times_to_try();
+    parameters.symmetry_check.check(space,
+                                    parameters.anatomy,
+                                    parameters.boundary_conditions,
+                                    times);
+    check_load_balance(space, parameters.boundary_conditions, supports, times);
+    parameters.follow_loads(triangulation);
   }
 
 
@@ -85,11 +93,21 @@ namespace lumbricus
   ResetIteration::Report
   ChainModel::solve(State &state)
   {
-    references.update(state);
-    parameters.boundary_conditions.try_expressions(triangulation, {state.time});
-    equilibrium.set_time(state.time, state.solution);
+    const Vector guess = state.solution;
+    return solve(state, state.time, guess);
+  }
+
+
+
+  ResetIteration::Report
+  ChainModel::solve(State &state, const LoadTime &t, const Vector &guess)
+  {
+    references.update(state, t);
+    parameters.boundary_conditions.try_expressions(triangulation, {t.to()});
+    equilibrium.set_time(t, guess);
     const Vector start  = state.solution;
     const auto   report = parameters.reset_iteration.solve(state,
+                                                         guess,
                                                          equilibrium,
                                                          parameters.newton,
                                                          references,
@@ -103,6 +121,22 @@ namespace lumbricus
                   "within the step: this is another equilibrium, "
                   "to which nothing leads"));
     return report;
+  }
+
+
+
+  std::vector<ExternalForce>
+  ChainModel::forces_on_body(const State &state) const
+  {
+    dealii::TimerOutput::Scope scope(timer, "reactions");
+    return external_forces(space,
+                           shapes,
+                           parameters.anatomy,
+                           parameters.boundary_conditions,
+                           references,
+                           supports,
+                           state.solution,
+                           state.time);
   }
 
 

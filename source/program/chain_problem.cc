@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/anatomy/stiffness_ratio.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
+#include <lumbricus/core/out_of_memory.h>
 #include <lumbricus/program/chain_problem.h>
 #include <lumbricus/program/diagnosis.h>
+#include <lumbricus/program/load_path.h>
 #include <lumbricus/program/mesh_adaptation.h>
 #include <lumbricus/program/run_log.h>
 
+#include <algorithm>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 namespace lumbricus
@@ -31,7 +36,10 @@ namespace lumbricus
   {
     dealii::TimerOutput::Scope scope(timer, "setup");
     model.create(checkpoint);
-    Probes::check(parameters.probe_points.points(), model.space);
+    // A run that goes on keeps the points that it took on its first mesh.
+    if (checkpoint == nullptr)
+      point_notes =
+        Probes::check(parameters.probe_points.points(), model.space);
   }
 
 
@@ -48,33 +56,46 @@ namespace lumbricus
         << dealii::Utilities::MPI::n_mpi_processes(comm) << " rank"
         << (dealii::Utilities::MPI::n_mpi_processes(comm) == 1 ? "" : "s")
         << "\n"
-        << parameters.unit_check.warnings(parameters.anatomy);
+        << parameters.unit_check.warnings(parameters.anatomy)
+        << StiffnessRatio(parameters.anatomy).warning() << point_notes;
   }
 
 
 
   void
-  ChainProblem::run(RunFolder         &folder,
-                    const std::string &resolved_parameters,
-                    const Checkpoint  *checkpoint)
+  ChainProblem::prepare(RunFolder &folder, const Checkpoint *checkpoint)
   {
     if (checkpoint != nullptr)
-      folder.continue_tables(checkpoint->progress().table_sizes);
-    Results    results(folder,
-                    model.space,
-                    model.shapes,
-                    parameters.anatomy,
-                    model.references,
-                    parameters.probe_points.points(),
-                    parameters.output_every);
-    State      state = model.space.initial_state();
+      {
+        first_state = checkpoint->read_state(model.space);
+        folder.continue_tables(checkpoint->progress().tables);
+      }
+    else
+      first_state = model.space.initial_state();
+    results = std::make_unique<Results>(folder,
+                                        model.space,
+                                        model.shapes,
+                                        parameters.anatomy,
+                                        model.references,
+                                        parameters.probe_points.points(),
+                                        parameters.output_every);
+  }
+
+
+
+  void
+  ChainProblem::run(RunFolder        &folder,
+                    const RunRequest &request,
+                    const Checkpoint *checkpoint)
+  {
+    State      state = first_state;
     StepRecord step;
     if (checkpoint != nullptr)
-      go_on_from(*checkpoint, state, step, results);
+      go_on_from(*checkpoint, state, step);
     model.references.update(state);
     parameters.predictor.restart(state);
     if (checkpoint == nullptr)
-      results.write(state, step);
+      results->write(state, step);
     begun = true;
 
     const auto save = [&]() {
@@ -83,18 +104,19 @@ namespace lumbricus
                        model.triangulation,
                        model.space,
                        state,
-                       progress(state, step, results),
-                       resolved_parameters);
+                       progress(state, step),
+                       request);
       parameters.checkpoint_schedule.written();
     };
 
     std::string trouble;
     try
       {
-        take_steps(state, step, results, save);
+        take_steps(state, step, save);
       }
     catch (const ExcInterrupted &exception)
       {
+        log.note("\n" + plain_message(exception) + "\n");
         save();
         log_where_time_went();
         AssertThrow(false,
@@ -111,14 +133,17 @@ namespace lumbricus
 
     // The last good state is what the run leaves.
     model.references.update(state);
-    results.write_last(state);
+    results->write_last(state);
     if (parameters.checkpoint_schedule.any())
       save_or_say(save);
     log_where_time_went();
     std::ostringstream last_state;
     last_state << "\nThe last good state, at time " << state.time << ", is in '"
                << folder.path() << "'.";
-    AssertThrow(trouble.empty(), ExcSolveFailed(trouble + last_state.str()));
+    if (trouble.empty())
+      return;
+    log.note("\n" + trouble + last_state.str() + "\n");
+    AssertThrow(false, ExcSolveFailed(trouble + last_state.str()));
   }
 
 
@@ -134,7 +159,6 @@ namespace lumbricus
   void
   ChainProblem::take_steps(State                       &state,
                            StepRecord                  &step,
-                           Results                     &results,
                            const std::function<void()> &save)
   {
     log_header(log);
@@ -142,10 +166,15 @@ namespace lumbricus
     while (!parameters.load_stepping.finished(state.time))
       {
         const Costs before = costs();
-        State       next   = state;
-        StepRecord  record = advance(next, step.number + 1);
+        State       next;
+        StepRecord  record;
+        with_memory_message(comm, [&]() {
+          next   = state;
+          record = advance(next, step.number + 1);
+        });
         if (parameters.adaptivity.due(record.number))
-          adapt(next, record, results);
+          adapt(next, record);
+        record.external_forces = model.forces_on_body(next);
         record.softest_stiffness =
           parameters.stability_watch.look(model, next, log);
         charge(record, before);
@@ -158,14 +187,19 @@ namespace lumbricus
         watch.end_step(step);
         {
           dealii::TimerOutput::Scope scope(timer, "output");
-          results.write(state, step);
+          results->write(state, step);
         }
         if (parameters.checkpoint_schedule.due(step.number, comm))
           {
             save_or_say(save);
-            // So that a run that goes on from here does the same.
-            model.equilibrium.forget_factors();
-            parameters.predictor.restart(state);
+            // So that a run that goes on from here does the same to the last
+            // digit. Where the clock said so this run is to go on as if there
+            // were no clock.
+            if (parameters.checkpoint_schedule.due_by_number(step.number))
+              {
+                model.equilibrium.forget_factors();
+                parameters.predictor.restart(state);
+              }
           }
       }
   }
@@ -201,16 +235,14 @@ namespace lumbricus
 
 
   RunProgress
-  ChainProblem::progress(const State      &state,
-                         const StepRecord &step,
-                         const Results    &results) const
+  ChainProblem::progress(const State &state, const StepRecord &step) const
   {
     RunProgress progress;
     progress.time            = state.time;
     progress.step            = step.number;
     progress.step_size       = parameters.load_stepping.step();
     progress.elapsed_seconds = step.elapsed_seconds;
-    results.note(progress);
+    results->note(progress);
     return progress;
   }
 
@@ -218,17 +250,15 @@ namespace lumbricus
 
   void
   ChainProblem::go_on_from(const Checkpoint &checkpoint,
-                           State            &state,
-                           StepRecord       &step,
-                           Results          &results)
+                           const State      &state,
+                           StepRecord       &step)
   {
     const RunProgress &progress = checkpoint.progress();
-    state                       = checkpoint.read_state(model.space);
     step.number                 = progress.step;
     step.elapsed_seconds        = progress.elapsed_seconds;
     seconds_before_restart      = progress.elapsed_seconds;
     parameters.load_stepping.set_step(progress.step_size);
-    results.continue_after(progress);
+    results->continue_after(progress);
     log << "Going on from time " << state.time << ", after step " << step.number
         << ".\n";
   }
@@ -248,50 +278,127 @@ namespace lumbricus
         step.relaxed = relaxation.in_segment;
         parameters.predictor.shift(relaxation.change);
       }
+    // Right before a jump.
+    std::optional<double> stop;
     while (true)
-      try
-        {
-          State next = state;
-          next.time  = stepping.next_time(state.time);
-          watch.begin_step(number, next.time);
-          parameters.predictor.predict(next);
-          step.report = model.solve(next);
-          step.time   = next.time;
-          step.size   = next.time - state.time;
-          state       = next;
-          stepping.accept(step.report.solves.front().newton.size());
-          parameters.predictor.accept(state);
-          return step;
-        }
-      catch (const ExcNotConverged &exception)
-        {
-          // Without the predictor before a shorter step.
-          if (parameters.predictor.ready())
-            {
+      {
+        const double planned  = stepping.next_time(state.time);
+        auto         division = parameters.load_curves.divide(state.time,
+                                                      planned);
+        if (stop)
+          division.to = std::min(division.to, *stop);
+        else if (division.curve != nullptr)
+          say_divided(division, planned);
+        // Beyond a corner or a jump nothing goes on as it did.
+        const bool goes_on = division.curve == nullptr && !stop;
+        try
+          {
+            take_step(state, step, division.to);
+            if (!goes_on)
               parameters.predictor.restart(state);
-              continue;
-            }
-          const std::string why = plain_message(exception);
-          try
-            {
-              stepping.cut(state.time, why);
-            }
-          catch (const ExcSolveFailed &failure)
-            {
-              AssertThrow(false,
-                          ExcSolveFailed(
-                            plain_message(failure) +
-                            diagnose(model, state, stepping.step())));
-            }
-          ++step.n_cuts;
-          log << "        cut to " << stepping.step() << ": " << why << "\n";
-        }
+            return step;
+          }
+        catch (const ExcNotConverged &exception)
+          {
+            // Without the predictor before a shorter step.
+            if (parameters.predictor.ready())
+              {
+                parameters.predictor.restart(state);
+                continue;
+              }
+            const std::string why = plain_message(exception);
+            ++step.n_cuts;
+            if (const auto jump =
+                  parameters.load_curves.jump(state.time, division.to))
+              {
+                const double shortest = parameters.load_curves.shortest();
+                if (jump->before.value_or(state.time) <=
+                    state.time + 0.5 * shortest)
+                  {
+                    take_jump(*jump, state, step);
+                    return step;
+                  }
+                stop = jump->before;
+                log << "        cut to before a jump: " << why << "\n";
+                continue;
+              }
+            try
+              {
+                stepping.cut(state.time, division.to, why);
+              }
+            catch (const ExcSolveFailed &failure)
+              {
+                AssertThrow(false,
+                            ExcSolveFailed(
+                              plain_message(failure) +
+                              diagnose(model,
+                                       state,
+                                       state.time,
+                                       state.time + stepping.step())));
+              }
+            log << "        cut to " << stepping.step() << ": " << why << "\n";
+          }
+      }
   }
 
 
 
   void
-  ChainProblem::adapt(State &state, StepRecord &step, Results &results)
+  ChainProblem::take_step(State &state, StepRecord &step, const double to)
+  {
+    State next = state;
+    next.time  = to;
+    watch.begin_step(step.number, next.time);
+    step.report =
+      model.solve(next, next.time, parameters.predictor.predict(next));
+    step.time   = next.time;
+    step.size   = next.time - state.time;
+    state       = next;
+    parameters.load_stepping.accept(step.report.solves.front().newton.size());
+    parameters.predictor.accept(state);
+  }
+
+
+
+  void
+  ChainProblem::take_jump(const LoadCurves::Jump &jump,
+                          State                  &state,
+                          StepRecord             &step)
+  {
+    const double from = state.time;
+    watch.begin_step(step.number, jump.after);
+    const LoadPathReport path = go_over(jump, model, state, log);
+    step.report               = path.report;
+    step.time                 = state.time;
+    step.size                 = state.time - from;
+    step.n_cuts += path.n_cuts;
+    if (step.relaxed.empty())
+      step.relaxed.resize(path.relaxed.size(), false);
+    for (unsigned int s = 0; s < path.relaxed.size(); ++s)
+      step.relaxed[s] = step.relaxed[s] || path.relaxed[s];
+    parameters.predictor.restart(state);
+  }
+
+
+
+  void
+  ChainProblem::say_divided(const LoadCurves::Division &division,
+                            const double                planned)
+  {
+    if (!said_to_divide.insert(division.curve->what).second)
+      return;
+    std::ostringstream line;
+    line << "        a step to time " << planned << " would miss a change of "
+         << division.curve->what << division.curve->where
+         << ":\n        this one ends at " << division.to
+         << ", and others where they would.\n";
+    log << line.str();
+  }
+
+
+
+  void
+  ChainProblem::adapt(State &state, StepRecord &step)
   {
     bool any = false;
     for (unsigned int i = 0; i < parameters.adaptivity.n_cycles(); ++i)
@@ -305,7 +412,7 @@ namespace lumbricus
       }
     if (!any)
       return;
-    results.reinit();
+    results->reinit();
     parameters.predictor.restart(state);
   }
 

@@ -141,8 +141,8 @@ namespace lumbricus
          "Exit codes: 0 done; 1 the input is wrong, nothing was computed; 2 the "
          "run could\n"
          "not go on, the last good state is in the output folder; 4 interrupted "
-         "by SIGTERM\n"
-         "or SIGUSR1, --restart goes on.\n";
+         "by a\n"
+         "signal (Ctrl-C, SIGTERM, SIGHUP, SIGUSR1), --restart goes on.\n";
   }
 
 

@@ -21,13 +21,13 @@ namespace lumbricus
       " Try a smaller 'Time/Smallest step', a smaller active stretch or load, or "
       "a finer mesh.";
 
-    // Linearise at a state under the loads of another time.
+    // Linearise at a state under the loads of any time.
     void
-    linearise(ChainModel &model, const State &state, const double t)
+    linearise(ChainModel &model, const State &state, const LoadTime &t)
     {
-      model.references.update(state);
-      model.references.update_muscles(t);
+      model.references.update(state, t);
       model.equilibrium.set_time(t, state.solution);
+      model.equilibrium.start_from(state.solution);
       model.equilibrium.forget_factors();
       model.equilibrium.linearise(state.solution);
     }
@@ -72,7 +72,10 @@ namespace lumbricus
 
 
   std::string
-  diagnose(ChainModel &model, const State &state, const double step)
+  diagnose(ChainModel     &model,
+           const State    &state,
+           const LoadTime &now,
+           const LoadTime &next)
   {
     const Stability    stability(model.space,
                               model.shapes,
@@ -82,9 +85,9 @@ namespace lumbricus
     std::ostringstream words;
     try
       {
-        linearise(model, state, state.time + step);
+        linearise(model, state, next);
         const CellVector loads = model.assembler.right_hand_side();
-        linearise(model, state, state.time);
+        linearise(model, state, now);
         const auto   softest  = stability.softest_motion();
         const auto   answer   = stability.response(loads);
         const double likeness = stability.likeness(softest, answer);
@@ -102,7 +105,7 @@ namespace lumbricus
 
         std::ostringstream where;
         where << "\nThe body is close to a static instability at time "
-              << state.time << ": ";
+              << now.to() << ": ";
         if (answer_part < little && likeness > 0.5)
           words << where.str()
                 << "a limit point. Its stiffness against the loads has fallen "
@@ -124,7 +127,7 @@ namespace lumbricus
                    "muscle of its own, or let an imperfection choose the way.";
         else
           {
-            words << "\nThe body is stable at time " << state.time
+            words << "\nThe body is stable at time " << now.to()
                   << ": its stiffness in the softest motion is "
                   << percent(softest_part) << " of that at rest, against the "
                   << "loads " << percent(answer_part) << ".";
@@ -137,7 +140,7 @@ namespace lumbricus
       }
     catch (const ExcNotConverged &exception)
       {
-        words << "\nThe stiffness of the body at time " << state.time
+        words << "\nThe stiffness of the body at time " << now.to()
               << " cannot be computed: " << plain_message(exception) << "."
               << advice;
       }

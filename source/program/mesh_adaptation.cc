@@ -3,6 +3,7 @@
 #include <lumbricus/adaptivity/state_transfer.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
+#include <lumbricus/core/out_of_memory.h>
 #include <lumbricus/discretization/rest_volume.h>
 #include <lumbricus/discretization/state_record.h>
 #include <lumbricus/program/mesh_adaptation.h>
@@ -39,14 +40,16 @@ namespace lumbricus
         state      = model.space.initial_state();
         state.time = time;
         // Cells may have come to other ranks.
+        CellReader reader(model.space);
         for (const std::string &of_rank :
              dealii::Utilities::MPI::all_gather(model.space.communicator(),
                                                 cells))
           {
             std::istringstream in(of_rank);
-            read_cells(model.space, in, state);
+            reader.read(in, state);
           }
         state.compress();
+        model.references.update(state);
       }
 
       const std::set<CellKey> refined;
@@ -167,9 +170,12 @@ namespace lumbricus
           {
             {
               dealii::TimerOutput::Scope scope(model.timer, "new mesh");
-              change_mesh(model, state);
+              with_memory_message(model.space.communicator(),
+                                  [&]() { change_mesh(model, state); });
             }
-            record.report    = model.solve(state);
+            with_memory_message(model.space.communicator(), [&]() {
+              record.report = model.solve(state);
+            });
             record.converged = true;
             compare(last.segments,
                     record.report.solves.back().segments,

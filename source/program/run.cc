@@ -1,20 +1,29 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/checkpoint/checkpoint_folders.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
+#include <lumbricus/core/out_of_memory.h>
 #include <lumbricus/core/parameter_file.h>
 #include <lumbricus/program/blas.h>
 #include <lumbricus/program/chain_problem.h>
+#include <lumbricus/program/memory_end.h>
 #include <lumbricus/program/run.h>
+
+#include <deal.II/base/utilities.h>
 
 #include <functional>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <set>
 #include <sstream>
 
 namespace lumbricus
 {
   namespace
   {
+    const std::string log_name = "log.txt";
+
     // What a run that goes on cannot change: its state hangs on it.
     const std::string kept_at_restart[] = {"Geometry",
                                            "Mesh",
@@ -65,15 +74,106 @@ namespace lumbricus
 
 
 
+    // Once begun a run is interrupted at a safe point, with a checkpoint.
     void
-    write_parameters(const RunFolder   &folder,
-                     const std::string &resolved,
-                     const MPI_Comm     comm)
+    leave_if_interrupted_before_begin(const MPI_Comm comm)
     {
-      folder.write_collectively("parameters.prm",
-                                dealii::Utilities::MPI::this_mpi_process(
-                                  comm) == 0,
-                                [&](std::ostream &out) { out << resolved; });
+      try
+        {
+          throw_if_interrupted(comm);
+        }
+      catch (const ExcInterrupted &exception)
+        {
+          throw ExcInterrupted(plain_message(exception) +
+                               "\nThe run had not begun, and no file was "
+                               "changed. Start it again as before.");
+        }
+    }
+
+
+
+    // The parameters of the run that goes on, with files that are where they
+    // were where they are not found from the working directory.
+    void
+    take_parameters(ParameterFile     &file,
+                    const Checkpoint  &checkpoint,
+                    const CommandLine &command_line,
+                    const MPI_Comm     comm)
+    {
+      file.take_resolved(checkpoint.path() + "/" + Manifest::parameters,
+                         checkpoint.request().parameters);
+      std::set<std::string> set_anew;
+      for (const std::string &setting : command_line.settings)
+        set_anew.insert(ParameterFile::path_of_setting(setting));
+
+      std::map<std::string, std::vector<std::string>> names;
+      std::string                                     reason;
+      for (const InputFile &input : checkpoint.request().input_files)
+        if (set_anew.count(input.parameter) == 0 && reason.empty())
+          try
+            {
+              names[input.parameter].push_back(find_again(input));
+            }
+          catch (const ExcInput &exception)
+            {
+              reason = plain_message(exception);
+            }
+      throw_on_all_ranks<ExcInput>(reason, comm);
+      for (const auto &[parameter, of_parameter] : names)
+        {
+          std::string list;
+          for (const std::string &name : of_parameter)
+            list += (list.empty() ? "" : ", ") + name;
+          file.set(parameter + "=" + list);
+        }
+    }
+
+
+
+    // Whether the run that is asked to go on has come to its end, with all
+    // files.
+    bool
+    is_over(const RunProgress &progress, const LoadStepping &stepping)
+    {
+      if (!stepping.finished(progress.time))
+        return false;
+      std::ostringstream message;
+      message << "is " << stepping.end_time()
+              << ", but the run that is to go on has come to time "
+              << progress.time
+              << " already. Give a later end, or start the run from its "
+                 "parameter file.";
+      AssertThrow(progress.time <= stepping.end_time() * (1. + 1e-12),
+                  ExcParameter("Time/End", message.str()));
+      return progress.vtu_is_current;
+    }
+
+
+
+    // The first that changes files in the folder.
+    void
+    begin_folder(RunFolder         &folder,
+                 Log               &log,
+                 const std::string &resolved,
+                 const bool         fresh,
+                 const MPI_Comm     comm)
+    {
+      if (fresh)
+        folder.on_first_rank([&]() { remove_checkpoints(folder); });
+      folder.begin(fresh);
+
+      const std::string name   = folder.path() + "/" + log_name;
+      const std::string reason = log.open(name, !fresh);
+      throw_on_all_ranks<ExcSolveFailed>(
+        reason.empty() ?
+          "" :
+          "The file '" + name + "' cannot be written: " + reason + ".",
+        comm);
+      folder.on_first_rank([&]() {
+        folder.record().add_parameters(fingerprint(resolved));
+        folder.write(Manifest::parameters,
+                     [&](std::ostream &out) { out << resolved; });
+      });
     }
   } // namespace
 
@@ -82,56 +182,91 @@ namespace lumbricus
   void
   run(const CommandLine &command_line, const MPI_Comm comm)
   {
+    const bool                  restart = !command_line.restart_folder.empty();
+    std::unique_ptr<RunFolder>  folder;
     std::unique_ptr<Checkpoint> checkpoint;
     std::string                 skipped;
-    if (!command_line.restart_folder.empty())
+    if (restart)
       {
+        Checkpoint::check_folder(command_line.restart_folder, comm);
+        folder =
+          std::make_unique<RunFolder>(command_line.restart_folder,
+                                      command_line.check ?
+                                        RunFolder::Use::look :
+                                        RunFolder::Use::restart,
+                                      comm);
         checkpoint = std::make_unique<Checkpoint>(
-          Checkpoint::newest(command_line.restart_folder, skipped, comm));
+          Checkpoint::newest(*folder, skipped, comm));
         for (const std::string &setting : command_line.settings)
           check_restart_setting(setting);
       }
 
     ParameterFile file;
     RunParameters parameters;
-    file.read(checkpoint != nullptr ? checkpoint->parameter_file() :
-                                      command_line.parameter_file);
+    if (restart)
+      take_parameters(file, *checkpoint, command_line, comm);
+    else
+      file.read(command_line.parameter_file);
     for (const std::string &setting : command_line.settings)
       file.set(setting);
     file.parse(parameters);
     parameters.initialize();
-    if (checkpoint != nullptr)
+    if (restart)
       parameters.output_folder = command_line.restart_folder;
     else if (!command_line.output_folder.empty())
       parameters.output_folder = command_line.output_folder;
 
-    // First see whether results can be written, but leave what is in the folder
-    // as it is until the input has turned out to be right.
-    std::unique_ptr<RunFolder> folder;
-    if (!command_line.check)
-      folder = std::make_unique<RunFolder>(parameters.output_folder, comm);
-
-    Log          log(comm,
+    Log log(comm,
             command_line.quiet,
             command_line.verbose,
             command_line.progress);
+    if (restart && is_over(checkpoint->progress(), parameters.load_stepping))
+      {
+        log << "The run in '" << command_line.restart_folder
+            << "' has come to its end, time " << checkpoint->progress().time
+            << ". No file was changed. To make it longer add --set "
+               "Time/End=...\n";
+        return;
+      }
+
+    // First see whether results can be written, but leave what is in the folder
+    // as it is until the input has turned out to be right.
+    if (!command_line.check && !restart)
+      folder = std::make_unique<RunFolder>(parameters.output_folder,
+                                           RunFolder::Use::write,
+                                           comm);
+    leave_if_interrupted_before_begin(comm);
+
     ChainProblem problem(parameters, log, comm);
-    problem.setup(checkpoint.get());
+    end_all_ranks_when_memory_ends(comm);
+    try
+      {
+        with_memory_message(comm, [&]() {
+          reserve_blas_memory();
+          problem.setup(checkpoint.get());
+        });
+      }
+    catch (const std::exception &exception)
+      {
+        if (is_out_of_memory(exception))
+          abort_out_of_memory(exception, comm);
+        throw;
+      }
 
     std::ostringstream resolved;
     file.print_resolved(resolved);
-    if (folder != nullptr)
+    RunRequest request;
+    request.parameters = resolved.str();
+    if (!command_line.check)
       {
+        request.input_files = file.input_files();
+        for (const std::string &name : {log_name, Manifest::parameters})
+          folder->claim(name);
+        problem.prepare(*folder, checkpoint.get());
+        leave_if_interrupted_before_begin(comm);
         begin_results(
           [&]() {
-            const std::string name   = folder->path() + "/log.txt";
-            const std::string reason = log.open(name, checkpoint != nullptr);
-            throw_on_all_ranks<ExcSolveFailed>(
-              reason.empty() ?
-                "" :
-                "The file '" + name + "' cannot be written: " + reason + ".",
-              comm);
-            write_parameters(*folder, resolved.str(), comm);
+            begin_folder(*folder, log, request.parameters, !restart, comm);
           },
           []() { return false; });
       }
@@ -139,18 +274,23 @@ namespace lumbricus
     std::ostringstream version;
     print_version(version);
     log << version.str() << blas_warning() << skipped;
-    if (checkpoint != nullptr &&
-        checkpoint->program_version() != LUMBRICUS_VERSION)
+    if (restart && checkpoint->program_version() != LUMBRICUS_VERSION)
       log << "The checkpoint was written by version "
           << checkpoint->program_version() << ".\n";
+    for (const std::string &name : file.unused())
+      log << "Not used, because of --set: " << name << ".\n";
     problem.describe();
     if (command_line.check)
-      log << "The input is valid; nothing was computed.\n";
+      {
+        log << "The input is valid; nothing was computed.\n";
+        // This is all there is of it.
+        throw_on_all_ranks<ExcInput>(log.lost_output(), comm);
+      }
     else
       try
         {
           begin_results(
-            [&]() { problem.run(*folder, resolved.str(), checkpoint.get()); },
+            [&]() { problem.run(*folder, request, checkpoint.get()); },
             [&]() { return problem.has_begun(); });
         }
       catch (const ExcInput &)
@@ -177,6 +317,8 @@ namespace lumbricus
   void
   abort_on_bug(const std::exception &exception, const MPI_Comm comm)
   {
+    if (is_out_of_memory(exception))
+      abort_out_of_memory(exception, comm);
     std::cerr << "\nlumbricus: this is a bug, please report it.\n"
               << exception.what() << std::endl;
     MPI_Abort(comm, ExitCode::bug);

@@ -21,7 +21,9 @@ namespace lumbricus
     adaptivity.declare_parameters(prm);
     interface_coupling.declare_parameters(prm);
     boundary_conditions.declare_parameters(prm);
+    symmetry_check.declare_parameters(prm);
     load_stepping.declare_parameters(prm);
+    load_curves.declare_parameters(prm);
     checkpoint_schedule.declare_parameters(prm);
     reset_iteration.declare_parameters(prm);
     newton.declare_parameters(prm);
@@ -90,15 +92,39 @@ namespace lumbricus
 
 
 
-  void
-  RunParameters::try_expressions(
-    const dealii::parallel::TriangulationBase<dim> &triangulation) const
+  std::vector<double>
+  RunParameters::times_to_try() const
   {
     constexpr unsigned int n = 100;
     std::vector<double>    times;
     for (unsigned int i = 0; i <= n; ++i)
       times.push_back(load_stepping.end_time() * i / n);
+    return times;
+  }
+
+
+
+  void
+  RunParameters::try_expressions(
+    const dealii::parallel::TriangulationBase<dim> &triangulation) const
+  {
+    const auto times = times_to_try();
     anatomy.try_active_stretches(triangulation, times);
     boundary_conditions.try_expressions(triangulation, times);
+  }
+
+
+
+  void
+  RunParameters::follow_loads(
+    const dealii::parallel::TriangulationBase<dim> &triangulation)
+  {
+    std::vector<LoadCurve> curves = anatomy.load_curves(triangulation);
+    for (const LoadCurve &curve :
+         boundary_conditions.load_curves(triangulation))
+      curves.push_back(curve);
+    load_curves.follow(curves,
+                       load_stepping.end_time(),
+                       load_stepping.smallest_step());
   }
 } // namespace lumbricus

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/input_limits.h>
 #include <lumbricus/core/interruption.h>
+#include <lumbricus/core/log.h>
+#include <lumbricus/core/mpi_session.h>
 #include <lumbricus/core/parameter_file.h>
+#include <lumbricus/core/user_text.h>
 #include <lumbricus/program/blas.h>
 #include <lumbricus/program/run.h>
 #include <lumbricus/program/run_parameters.h>
@@ -9,21 +13,56 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <iostream>
 
 namespace lumbricus
 {
+  namespace
+  {
+    // A standard stream that was closed is opened so that its use fails: else
+    // the first file that is opened takes its place, and what is said goes
+    // there.
+    void
+    occupy_closed_streams()
+    {
+      for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) == -1 &&
+            open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) !=
+              stream)
+          return;
+    }
+
+
+
+    // What was said on standard output, which users asked for, has to be there.
+    void
+    check_said()
+    {
+      AssertThrow(std::cout.flush(), ExcInput(Log::output_cannot_be_written));
+    }
+  } // namespace
+
+
+
   int
   run_program(int argc, char *argv[])
   {
+    occupy_closed_streams();
     prepare_blas(argv);
-    dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    watch_for_interruption();
+    const MpiSession session(argv[0]);
+    // PETSc leaves none of them.
+    watch_for_interruption();
 
     const MPI_Comm comm  = MPI_COMM_WORLD;
     const bool     first = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
     const auto     say   = [&](const std::string &message) {
       if (first)
-        std::cerr << "\nlumbricus: " << message << std::endl;
+        std::cerr << "\nlumbricus: "
+                  << printable(message, InputLimits::message) << std::endl;
     };
 
     try
@@ -41,9 +80,10 @@ namespace lumbricus
               print_version(std::cout);
             else
               ParameterFile::print_reference(parameters, std::cout);
+            check_said();
             return ExitCode::done;
           }
-        watch_for_interruption();
+        ignore_closed_output();
         run(command_line, comm);
         return ExitCode::done;
       }

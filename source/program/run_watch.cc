@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/program/load_balance.h>
 #include <lumbricus/program/run_watch.h>
 
 #include <algorithm>
@@ -58,6 +59,15 @@ namespace lumbricus
   RunWatch::end_step(const StepRecord &record)
   {
     reached               = record.time;
+    const std::string why = unbalanced ? "" : imbalance(record.external_forces);
+    unbalanced            = unbalanced || !why.empty();
+    if (!why.empty())
+      {
+        std::ostringstream line;
+        line << "        Warning: from time " << record.time << " on " << why
+             << "\n";
+        log << line.str();
+      }
     const auto &qualities = record.reports().back()->solves.back().qualities;
     for (unsigned int s = 0; s < qualities.size(); ++s)
       if (qualities[s].wall <= 0. && folded.insert(s).second)

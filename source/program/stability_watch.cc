@@ -34,6 +34,7 @@ namespace lumbricus
     dealii::TimerOutput::Scope scope(model.timer, "stability");
     model.references.update(state);
     model.equilibrium.set_time(state.time, state.solution);
+    model.equilibrium.start_from(state.solution);
     model.equilibrium.linearise(state.solution);
     const Stability stability(model.space,
                               model.shapes,

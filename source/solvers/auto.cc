@@ -45,12 +45,13 @@ namespace lumbricus
       const auto n = tangent.space.dof_handler.n_dofs();
       if (n != n_decided)
         {
-          n_decided           = n;
+          // Decided once all of it is known: planning may run out of memory.
           const MPI_Comm comm = tangent.space.communicator();
           const auto    &fast = CondensedFactor::accuracies[0];
           auto planned = std::make_unique<CondensedFactor>(tangent, fast, comm);
           by_multigrid = tangent.space.triangulation.n_global_levels() > 1 &&
                          too_much(*planned, n, comm);
+          n_decided = n;
           if (!by_multigrid)
             return {fast.name, std::move(planned)};
         }

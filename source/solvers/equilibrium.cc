@@ -11,6 +11,15 @@
 
 namespace lumbricus
 {
+  namespace
+  {
+    // What rounding leaves of the residual is at most this many times what is
+    // expected.
+    constexpr double certain = 2.;
+  } // namespace
+
+
+
   Equilibrium::Equilibrium(const MixedSpace    &space,
                            const ShapeCache    &shapes,
                            const Anatomy       &anatomy,
@@ -35,15 +44,17 @@ namespace lumbricus
     const MPI_Comm comm = space.communicator();
     r.reinit(space.locally_owned, comm);
 
-    is_pressure.assign(space.locally_owned.n_elements(), false);
+    component.assign(space.locally_owned.n_elements(), dim);
     std::vector<dealii::types::global_dof_index> indices(
       space.fe.n_dofs_per_cell());
     for (const auto &cell : space.dof_handler.active_cell_iterators() |
                               dealii::IteratorFilters::LocallyOwnedCell())
       {
         cell->get_dof_indices(indices);
-        for (const unsigned int m : space.pressure_dof)
-          is_pressure[space.locally_owned.index_within_set(indices[m])] = true;
+        for (unsigned int c = 0; c < dim; ++c)
+          for (const unsigned int k : space.displacement_dof[c])
+            if (space.locally_owned.is_element(indices[k]))
+              component[space.locally_owned.index_within_set(indices[k])] = c;
       }
 
     double volume = 0.;
@@ -87,10 +98,9 @@ namespace lumbricus
 
 
   void
-  Equilibrium::set_time(const double t, const Vector &solution)
+  Equilibrium::set_time(const LoadTime &t, const Vector &solution)
   {
-    time = t;
-    renew_interface(solution);
+    time              = t;
     prescribed_is_due = supports.set_increments(solution, t) > 1e-14 * length;
   }
 
@@ -105,11 +115,25 @@ namespace lumbricus
 
 
   void
-  Equilibrium::renew_interface(const Vector &solution)
+  Equilibrium::start_from(const Vector &solution)
   {
-    if (!supports.renew_interface(solution))
+    if (!supports.follow_the_deformation())
       return;
+    start = solution;
+    supports.update_interface(solution, start);
     reinit_solvers();
+  }
+
+
+
+  void
+  Equilibrium::follow(const Vector &x)
+  {
+    if (!supports.follow_the_deformation())
+      return;
+    supports.update_interface(x, start);
+    if (!assembler.update_constraints())
+      reinit_solvers();
   }
 
 
@@ -118,22 +142,27 @@ namespace lumbricus
   Equilibrium::residual(const Vector &x)
   {
     dealii::TimerOutput::Scope scope(timer, "residual");
-    const auto                 report = assembler.residual(x, time, r);
+    follow(x);
+    const auto report = assembler.residual(x, time, r);
 
     double force = 0., volume = 0.;
-    for (unsigned int i = 0; i < is_pressure.size(); ++i)
+    for (unsigned int i = 0; i < component.size(); ++i)
       {
         const double entry = r.begin()[i];
-        if (is_pressure[i])
+        if (component[i] == dim)
           volume += std::abs(entry);
         else
           force += entry * entry;
       }
     const MPI_Comm comm = space.communicator();
     Residual       residual;
-    residual.force = std::sqrt(dealii::Utilities::MPI::sum(force, comm)) /
-                     std::max(report.force_level, least_force);
+    const double   level = std::max(report.force_level, least_force);
+    residual.force =
+      std::sqrt(dealii::Utilities::MPI::sum(force, comm)) / level;
     residual.volume = dealii::Utilities::MPI::sum(volume, comm) / body_volume;
+    residual.gap    = supports.gap() / length;
+    residual.force_rounding  = certain * report.force_rounding / level;
+    residual.volume_rounding = certain * report.volume_rounding / body_volume;
     residual.valid  = report.valid() && std::isfinite(residual.merit());
     return residual;
   }
@@ -166,6 +195,17 @@ namespace lumbricus
   {
     Vector way = to;
     way -= from;
+    double sums[2 * dim] = {};
+    for (unsigned int i = 0; i < component.size(); ++i)
+      if (component[i] < dim)
+        {
+          sums[component[i]] += way.begin()[i];
+          sums[dim + component[i]] += 1.;
+        }
+    dealii::Utilities::MPI::sum(sums, space.communicator(), sums);
+    for (unsigned int i = 0; i < component.size(); ++i)
+      if (component[i] < dim)
+        way.begin()[i] -= sums[component[i]] / sums[dim + component[i]];
     return increment_size(way) > extent;
   }
 
@@ -175,8 +215,8 @@ namespace lumbricus
   Equilibrium::increment_size(const Vector &dx) const
   {
     double largest = 0.;
-    for (unsigned int i = 0; i < is_pressure.size(); ++i)
-      if (!is_pressure[i])
+    for (unsigned int i = 0; i < component.size(); ++i)
+      if (component[i] < dim)
         largest = std::max(largest, std::abs(dx.begin()[i]));
     return dealii::Utilities::MPI::max(largest, space.communicator()) / length;
   }
@@ -216,8 +256,8 @@ namespace lumbricus
     // The largest out-of-balance force, and a cell that has it.
     double       largest = 0.;
     unsigned int place   = 0;
-    for (unsigned int i = 0; i < is_pressure.size(); ++i)
-      if (!is_pressure[i] && std::abs(r.begin()[i]) > largest)
+    for (unsigned int i = 0; i < component.size(); ++i)
+      if (component[i] < dim && std::abs(r.begin()[i]) > largest)
         {
           largest = std::abs(r.begin()[i]);
           place   = i;

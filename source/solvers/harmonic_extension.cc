@@ -6,6 +6,7 @@
 #include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,7 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/solvers/kept_preconditioner.h>
 
+#include <deal.II/base/patterns.h>
 #include <deal.II/base/timer.h>
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
@@ -40,7 +41,15 @@ namespace lumbricus
     const auto n = new_tangent.space.dof_handler.n_dofs();
     if (n != std::exchange(n_unknowns, n))
       kind = 0;
-    tangent  = &new_tangent;
+    tangent = &new_tangent;
+    drop();
+  }
+
+
+
+  void
+  KeptPreconditioner::drop()
+  {
     current  = {};
     factored = false;
   }
@@ -53,14 +62,24 @@ namespace lumbricus
                             const double      wanted_tolerance)
   {
     const double tolerance = std::min(wanted_tolerance, least_accuracy);
-    const bool   worth_keeping =
-      factored && keep && !age.worn_out(current.inverse->cost());
-    bool solved = worth_keeping && iterate(x, b, tolerance);
-    while (!solved)
+    try
       {
-        solved = factor() && iterate(x, b, tolerance);
-        if (!solved)
-          give_up_kind();
+        const bool worth_keeping =
+          factored && keep && !age.worn_out(current.inverse->cost());
+        bool solved = worth_keeping && iterate(x, b, tolerance);
+        while (!solved)
+          {
+            solved = factor() && iterate(x, b, tolerance);
+            if (!solved)
+              give_up_kind();
+          }
+      }
+    catch (...)
+      {
+        // Whatever it was, what is left may be half of an inverse. The next
+        // solve, of a shorter load step or for the diagnosis, begins anew.
+        drop();
+        throw;
       }
     ++counts.n_solves;
   }
@@ -71,10 +90,10 @@ namespace lumbricus
   KeptPreconditioner::factor()
   {
     dealii::Timer timer;
+    factored = false;
     if (current.inverse == nullptr)
       current = make(*tangent, kind);
-    factored = false;
-    age      = FactorAge();
+    age = FactorAge();
     ++counts.n_factorisations;
     try
       {
@@ -93,25 +112,24 @@ namespace lumbricus
   KeptPreconditioner::give_up_kind()
   {
     // Memory for one of them is enough.
-    const std::string name = current.name;
-    current                = {};
-    InverseKind next       = make(*tangent, kind + 1);
+    const std::string name         = current.name;
+    const bool        was_factored = factored;
+    drop();
+    InverseKind next = make(*tangent, kind + 1);
     AssertThrow(next.inverse != nullptr,
-                ExcNotConverged("The linear solver (" + name +
-                                (factored ? ") does not reach its tolerance "
-                                            "in " +
-                                              std::to_string(most_iterations) +
-                                              " iterations, even with new "
-                                              "factors" :
-                                            ") finds the tangent singular")));
+                ExcNotConverged(
+                  "The linear solver (" + name +
+                  (was_factored ? ") does not reach its tolerance in " +
+                                    std::to_string(most_iterations) +
+                                    " iterations, even with new factors" :
+                                  ") finds the tangent singular")));
     tell("The linear solver goes on with " + next.name + ", since " + name +
-         (factored ? " needed more than " + std::to_string(most_iterations) +
-                       " iterations" :
-                     " could not be computed for this tangent") +
+         (was_factored ? " needed more than " +
+                           std::to_string(most_iterations) + " iterations" :
+                         " could not be computed for this tangent") +
          ".");
     ++kind;
-    current  = std::move(next);
-    factored = false;
+    current = std::move(next);
   }
 
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/out_of_memory.h>
 #include <lumbricus/solvers/mumps.h>
 
 #include <dmumps_c.h>
 #include <smumps_c.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <exception>
 #include <string>
 
 namespace lumbricus
@@ -18,6 +21,21 @@ namespace lumbricus
 
     const std::string advice =
       "Its manual says what that is. Try another 'Linear solver/Method'.";
+
+    // Delayed pivots may need more room than the analysis foresaw.
+    constexpr int out_of_estimate[] = {-8, -9, -20};
+
+    // Real and integer workspace, and what it allocates besides; more room than
+    // was foreseen, where that is not to be had either; its own limit.
+    constexpr int out_of_memory[] = {
+      -5, -7, -8, -9, -11, -13, -14, -15, -19, -20};
+
+    template <std::size_t n>
+    bool
+    is_one_of(const int code, const int (&codes)[n])
+    {
+      return std::find(codes, codes + n, code) != codes + n;
+    }
 
     // What of MUMPS depends on the precision.
     template <typename Number>
@@ -126,6 +144,11 @@ namespace lumbricus
   template <typename Number>
   Mumps<Number>::~Mumps()
   {
+    // To end it takes all ranks, and where memory ends on one, or something
+    // else is wrong there, the others are not here.
+    if (std::uncaught_exceptions() > 0 &&
+        dealii::Utilities::MPI::n_mpi_processes(comm) > 1)
+      return;
     instance->data.job = terminate;
     Precision<Number>::call(&instance->data);
   }
@@ -138,6 +161,48 @@ namespace lumbricus
   {
     instance->data.job = job;
     Precision<Number>::call(&instance->data);
+  }
+
+
+
+  template <typename Number>
+  void
+  Mumps<Number>::check(const std::string &what) const
+  {
+    const int code = instance->info(1);
+    if (code >= 0)
+      return;
+    AssertThrow(code != -10,
+                ExcNotConverged("The tangent matrix is singular"));
+    if (is_one_of(code, out_of_memory))
+      {
+        // Entries, in millions where there are many; only the rank concerned
+        // has the code itself.
+        const double       n = instance->info(2);
+        const double       entries_lacking = n >= 0. ? n : -1e6 * n;
+        const bool         integers        = code == -7 || code == -8;
+        const unsigned int n_ranks =
+          dealii::Utilities::MPI::n_mpi_processes(comm);
+        const unsigned int rank = dealii::Utilities::MPI::min(
+          instance->data.info[0] == code ?
+            dealii::Utilities::MPI::this_mpi_process(comm) :
+            n_ranks,
+          comm);
+        AssertThrow(false,
+                    ExcSolveFailed(
+                      out_of_memory_message(
+                        entries_lacking *
+                          (integers ? sizeof(MUMPS_INT) : sizeof(Number)),
+                        rank < n_ranks ? rank : 0,
+                        comm) +
+                      " (In the " + what + " by MUMPS, code " +
+                      std::to_string(code) + ".)"));
+      }
+    AssertThrow(false,
+                ExcSolveFailed("The " + what + " by MUMPS failed with code " +
+                               std::to_string(code) + ", " +
+                               std::to_string(instance->info(2)) + ". " +
+                               advice));
   }
 
 
@@ -191,12 +256,7 @@ namespace lumbricus
       centralised.resize(numbering.size());
 
     run(analysis);
-    AssertThrow(instance->info(1) >= 0,
-                ExcSolveFailed("The analysis of the matrix by MUMPS failed "
-                               "with code " +
-                               std::to_string(instance->info(1)) + ", " +
-                               std::to_string(instance->info(2)) + ". " +
-                               advice));
+    check("analysis of the matrix");
   }
 
 
@@ -246,39 +306,16 @@ namespace lumbricus
   void
   Mumps<Number>::factor()
   {
-    // Delayed pivots may need more room than the analysis foresaw.
-    constexpr int out_of_estimate[] = {-8, -9, -20};
-    constexpr int most_percent      = 1000;
+    constexpr int most_percent = 1000;
     while (true)
       {
         run(factorise);
-        const int code = instance->info(1);
-        if (code >= 0)
+        if (!is_one_of(instance->info(1), out_of_estimate) ||
+            instance->control(14) >= most_percent)
           break;
-
-        const bool estimate_short =
-          std::find(std::begin(out_of_estimate),
-                    std::end(out_of_estimate),
-                    code) != std::end(out_of_estimate);
-        if (estimate_short && instance->control(14) < most_percent)
-          {
-            instance->control(14) *= 2;
-            continue;
-          }
-        AssertThrow(code != -10,
-                    ExcNotConverged("The tangent matrix is singular"));
-        AssertThrow(
-          code != -13,
-          ExcSolveFailed(
-            "The direct solver ran out of memory. Use a coarser mesh, "
-            "more ranks on more machines, or a smaller problem."));
-        AssertThrow(false,
-                    ExcSolveFailed("The factorisation by MUMPS failed with "
-                                   "code " +
-                                   std::to_string(code) + ", " +
-                                   std::to_string(instance->info(2)) + ". " +
-                                   advice));
+        instance->control(14) *= 2;
       }
+    check("factorisation");
   }
 
 
@@ -301,11 +338,7 @@ namespace lumbricus
                 comm);
     instance->data.rhs = centralised.data();
     run(back_substitute);
-    AssertThrow(instance->info(1) >= 0,
-                ExcSolveFailed("The back substitution by MUMPS failed with "
-                               "code " +
-                               std::to_string(instance->info(1)) + ". " +
-                               advice));
+    check("back substitution");
     MPI_Scatterv(centralised.data(),
                  counts.data(),
                  offsets.data(),

@@ -12,6 +12,12 @@ namespace lumbricus
 {
   namespace
   {
+    // The gap shrinks by a constant factor and not quadratically, so that what is
+    // left of it is not next to nothing where it is found small enough.
+    constexpr double least_gap = 1e-2;
+
+
+
     // What all increments after the last one add up to, if they go on to shrink
     // as they did: by the last factor, or, where the factors themselves shrink
     // (the convergence is superlinear), by a factor that is smaller by as much
@@ -75,6 +81,22 @@ namespace lumbricus
 
 
   double
+  Newton::least_force(const NonlinearProblem::Residual &residual) const
+  {
+    return std::max(force_tolerance, residual.force_rounding);
+  }
+
+
+
+  double
+  Newton::least_volume(const NonlinearProblem::Residual &residual) const
+  {
+    return std::max(volume_tolerance, residual.volume_rounding);
+  }
+
+
+
+  double
   Newton::linear_tolerance(const NonlinearProblem::Residual &residual,
                            const double                      last_merit) const
   {
@@ -89,8 +111,9 @@ namespace lumbricus
             std::min(most, std::pow(residual.merit() / last_merit, order)) :
             most;
     constexpr double perhaps = 1e3;
-    const bool last = deserved * residual.force <= perhaps * force_tolerance &&
-                      deserved * residual.volume <= perhaps * volume_tolerance;
+    const bool last =
+      deserved * residual.force <= perhaps * least_force(residual) &&
+      deserved * residual.volume <= perhaps * least_volume(residual);
     return last ? accurate : std::max(accurate, deserved);
   }
 
@@ -117,8 +140,9 @@ namespace lumbricus
 
     Vector     current  = x;
     const auto balanced = [&](const NonlinearProblem::Residual &residual) {
-      return residual.force <= force_tolerance &&
-             residual.volume <= volume_tolerance;
+      return residual.force <= least_force(residual) &&
+             residual.volume <= least_volume(residual) &&
+             residual.gap <= least_gap * increment_tolerance;
     };
     const auto give_up = [&](const std::string &why, const Vector &where) {
       std::ostringstream message;
@@ -157,7 +181,8 @@ namespace lumbricus
         const bool   whole = problem.increments_prescribed();
         const double largest_merit =
           whole ? std::numeric_limits<double>::max() :
-                  growth_allowed * std::max(residual.merit(), force_tolerance);
+                  growth_allowed *
+                    std::max(residual.merit(), least_force(residual));
         double                     step_length = 1.;
         NonlinearProblem::Residual trial_residual;
         for (unsigned int halvings = 0;; ++halvings)

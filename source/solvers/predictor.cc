@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/solvers/predictor.h>
 
+#include <deal.II/base/patterns.h>
+
 namespace lumbricus
 {
   void
@@ -56,19 +58,21 @@ namespace lumbricus
 
 
 
-  void
-  Predictor::predict(State &state) const
+  Vector
+  Predictor::predict(const State &state) const
   {
+    Vector solution = state.solution;
     if (!ready())
-      return;
-    state.solution = 0.;
+      return solution;
+    solution = 0.;
     for (const auto &[t_i, u_i] : history)
       {
         double weight = 1.;
         for (const auto &[t_j, u_j] : history)
           if (t_j != t_i)
             weight *= (state.time - t_j) / (t_i - t_j);
-        state.solution.add(weight, u_i);
+        solution.add(weight, u_i);
       }
+    return solution;
   }
 } // namespace lumbricus

@@ -82,6 +82,7 @@ namespace lumbricus
 
   ResetIteration::Report
   ResetIteration::solve(State               &state,
+                        const Vector        &guess,
                         Equilibrium         &equilibrium,
                         const Newton        &newton,
                         ReferenceField      &references,
@@ -94,10 +95,13 @@ namespace lumbricus
     Report             report;
     report.n_resets.assign(n_segments, 0);
 
+    Vector x = guess;
     for (unsigned int n_resets = 0;; ++n_resets)
       {
         Solve solve;
-        solve.newton = newton.solve(equilibrium, state.solution);
+        equilibrium.start_from(state.solution);
+        solve.newton   = newton.solve(equilibrium, x);
+        state.solution = x;
 
         dealii::TimerOutput::Scope scope(timer, "reset");
         const Vector               relevant = space.with_ghosts(state.solution);
@@ -129,7 +133,6 @@ namespace lumbricus
 
         reset(state, is_reset, space, anatomy);
         references.update_liquid(state);
-        equilibrium.renew_interface(state.solution);
         for (unsigned int s = 0; s < n_segments; ++s)
           report.n_resets[s] += is_reset[s];
       }

@@ -6,7 +6,7 @@
 // Standard input has, for every run, a line with the number of texts that
 // follow, each ended by a zero byte: the working folder, the files for standard
 // output and standard error, and the arguments. The answer is a line with the
-// exit code.
+// exit code, or the signal with a minus. A run has two minutes.
 #include <lumbricus/program/run_program.h>
 
 #include <sys/wait.h>
@@ -42,6 +42,7 @@ main()
               std::freopen(texts[2].c_str(), "w", stderr) == nullptr ||
               chdir(texts[0].c_str()) != 0)
             return EXIT_FAILURE;
+          alarm(120);
           return lumbricus::run_program(n, arguments.data());
         }
       int status = 0;

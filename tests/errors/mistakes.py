@@ -46,23 +46,25 @@ class ManyRuns:
                 [os.environ["LUMBRICUS"], *map(str, arguments)],
                 capture_output=True, text=True, timeout=60, cwd=folder)
         if self.process is None:
+            # Two of these run side by side: see ../conftest.py.
             self.process = subprocess.Popen(
                 [os.environ["MANY_RUNS"]], stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE)
+                stdout=subprocess.PIPE,
+                env=dict(os.environ, TMPDIR=self.said.name))
         files = [pathlib.Path(self.said.name) / name for name in "oe"]
         texts = [folder or os.getcwd(), *files, *arguments]
         self.process.stdin.write(f"{len(texts)}\n".encode() + b"".join(
-            str(text).encode() + b"\0" for text in texts))
+            os.fsencode(text) + b"\0" for text in texts))
         self.process.stdin.flush()
         exit_code = int(self.process.stdout.readline())
         return subprocess.CompletedProcess(
             arguments, exit_code, *(file.read_text() for file in files))
 
-    def run(self, parameter_file, folder, settings=(), ranks=1):
+    def run(self, parameter_file, folder, settings=(), ranks=1, options=()):
         """As lumbricus_run.run() does."""
         if ranks > 1:
-            return run(parameter_file, folder, settings, ranks)
-        arguments = [parameter_file, "--output", folder]
+            return run(parameter_file, folder, settings, ranks, options)
+        arguments = [parameter_file, "--output", folder, *options]
         for setting in settings:
             arguments += ["--set", setting]
         return Run(self.call(*arguments), folder)

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the command line and the parameter file offer beside a run."""
+import contextlib
 import json
 import os
 import pathlib
+import pty
 import re
 import subprocess
 
 import pytest
-from lumbricus_run import run, run_well
+from lumbricus_run import outline, run, run_well
 from mistakes import ManyRuns
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -15,22 +17,6 @@ BLOCK = HERE / "block.prm"
 
 
 call = ManyRuns().call
-
-
-def outline(text):
-    """The value of each parameter of a file, by its full name."""
-    values, sections = {}, []
-    for line in text.splitlines():
-        line = line.split("#")[0].strip()
-        if line.startswith("subsection "):
-            sections.append(line[len("subsection "):])
-        elif line == "end":
-            sections.pop()
-        elif line.startswith("set "):
-            name, value = line[len("set "):].split("=", 1)
-            values["/".join([*sections, name.strip()])] = value.strip()
-    assert not sections
-    return values
 
 
 @pytest.mark.parametrize("option", ["--help", "-h"])
@@ -208,8 +194,8 @@ def test_include_of_a_file_that_does_not_exist(tmp_path):
     result = call(case)
     assert result.returncode == 1
     assert f"'{tmp_path}/none.prm', which '{case}' includes, cannot be " \
-        "read. Give the path of a .prm or .json file, from the folder of the " \
-        "file that includes it." in result.stderr
+        "read: No such file or directory. Give the path of a .prm or .json " \
+        "file, from the folder of the file that includes it." in result.stderr
 
 
 @pytest.mark.parametrize("encode", [
@@ -279,14 +265,24 @@ def test_nothing_on_a_terminal_only_goes_to_files(tmp_path):
 
 
 def test_progress_on_a_terminal(tmp_path):
-    """script(1) makes a terminal."""
-    command = f"{os.environ['LUMBRICUS']} {BLOCK} --output {tmp_path / 'out'}"
-    process = subprocess.run(["script", "-qec", command, "/dev/null"],
-                             capture_output=True, text=True, timeout=60)
-    assert process.returncode == 0, process.stdout
-    assert "step 2, to time 1 of 1: reset 0, Newton 1" in process.stdout
-    assert re.search(r"about \d+ s left", process.stdout)
-    assert "\033[K" in process.stdout
+    """The terminal is one of Python's: script(1) takes other options in every
+    Debian."""
+    ours, its = pty.openpty()
+    with subprocess.Popen(
+            [os.environ["LUMBRICUS"], BLOCK, "--output", tmp_path / "out"],
+            stdin=its, stdout=its, stderr=its) as process:
+        os.close(its)
+        said = b""
+        # At the end of the terminal Linux says that it cannot be read.
+        with contextlib.suppress(OSError):
+            while part := os.read(ours, 4096):
+                said += part
+        os.close(ours)
+    said = said.decode()
+    assert process.returncode == 0, said
+    assert "step 2, to time 1 of 1: reset 0, Newton 1" in said
+    assert re.search(r"about \d+ s left", said)
+    assert "\033[K" in said
     assert "s left" not in (tmp_path / "out/log.txt").read_text()
 
 

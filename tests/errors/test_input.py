@@ -156,6 +156,21 @@ MISTAKES = [
     ("law that was not chosen", BLOCK, ["Tissues/flesh/Mooney-Rivlin/b=1"],
      ["'Tissues/flesh/Mooney-Rivlin' is not used",
       "'Tissues/flesh/Law' is 'Neo-Hooke'", "Choose 'Mooney-Rivlin' there"]),
+    # The section of the default was taken in silence.
+    ("law that is the default but was not chosen", PRM, """
+subsection Geometry
+  set Shape = block
+end
+subsection Tissues
+  subsection block
+    set Law = Hooke
+    subsection Neo-Hooke
+      set a = 7
+    end
+  end
+end
+""", ["line 8", "'Tissues/block/Neo-Hooke' is not used",
+      "'Tissues/block/Law' is 'Hooke'"]),
     ("activation that was not chosen", BLOCK, ["Muscles/biceps/wave/Duty=1"],
      ["'Muscles/biceps/wave' is not used",
       "'Muscles/biceps/Active stretch' is 'expression'",
@@ -172,8 +187,12 @@ MISTAKES = [
      ["'Tissues/septum' is unknown", "'flesh'"]),
     ("muscle no tissue has", BLOCK, ["Muscles/triceps/Fibres=radial"],
      ["'Muscles/triceps'", "Did you mean 'Muscles/biceps'?"]),
-    ("load that is not listed", BLOCK, ["Boundary conditions/Names=push"],
-     ["'Boundary conditions/wall'", "'push'", "lists its name"]),
+    # A setting may list fewer names than the file; a file may not.
+    ("load that is not listed", BLOCK, """
+subsection Boundary conditions
+  set Names = push
+end
+""", ["'Boundary conditions/wall'", "'push'", "lists its name"]),
 
     ("parameter without its section", BLOCK, ["Duty=1"],
      ["'Duty' is unknown", "known there", "'Title', 'Units'"]),
@@ -311,10 +330,20 @@ MISTAKES = [
      ["Mesh/Refine where=1/(x - 1)", "Mesh/Local refinements=1"],
      ["'Mesh/Refine where'", "'1/(x - 1)' has no value",
       "point (1, 0.5, 0.5)", "defined in all of the body"]),
+    # Other results with every run and on every number of ranks.
+    ("formula of chance", BLOCK, [PRESSURE + "=0.01*rand()"],
+     [f"'{PRESSURE}'", "'0.01*rand()'", "it has 'rand'", "another number",
+      "a formula in x, y, z"]),
+    ("formula of chance with a seed", BLOCK,
+     [FORMULA + "=1 - 0.1*rand_seed(7)*t"],
+     [f"'{FORMULA}'", "it has 'rand_seed'", "another number"]),
+    ("point in hexadecimal numbers", BLOCK, ["Output/Points=0x0, 0, 0"],
+     ["'Output/Points'", "'0x0, 0, 0' is not a point", "three numbers"]),
     # --check took it for right, and the run found it after its log had begun.
     ("point outside of the body", BLOCK, ["Output/Points=0, 0, 0; 1, 3, 0"],
      ["'Output/Points'", "(1, 3, 0) is not in the body",
-      "Give a point of the mesh at rest"]),
+      "The nearest point of the mesh at rest is (1, ", "mm away",
+      "more than 0.1 of the cell there", "Give a point of the body"]),
     ("point of two numbers", BLOCK, ["Output/Points=0, 0, 0; 1, 2"],
      ["'Output/Points'", "'1, 2' is not a point", "three numbers",
       "'0, 0, 2; 1, 0, 2'"]),
@@ -492,7 +521,7 @@ MISTAKES = [
     ("line that is neither", BLOCK, "set Title = x\nTitle = y\n",
      ["case.prm, line 3: 'Title = y' is none", "'set Name = value'"]),
     ("long line that is neither", BLOCK, "Title = " + 1000 * "y",
-     ["case.prm, line 2: 'Title = yyy", "y...' is none"]),
+     ["case.prm, line 2: 'Title = yyy", "y... (1008 characters)' is none"]),
     ("no equals sign", BLOCK, "set Title\n",
      ["case.prm, line 2: 'set Title' has no '='", "'set Name = value'"]),
     ("no name", BLOCK, "set = 1\n",

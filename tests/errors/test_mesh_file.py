@@ -2,61 +2,14 @@
 """A mesh of Gmsh or a file of fibres that cannot be used ends with exit code 1
 and one message that names the parameter, the file, what is missing and the way
 out."""
+import math
+
 import pytest
+from cube_mesh import (HEXAHEDRON, HEXAHEDRON_20, QUADRILATERAL,
+                       TETRAHEDRON, Mesh)
 from lumbricus_run import run
+from mesh_cases import FIBRES, FILE, SECTION, start
 from mistakes import check_one_message, names, on_ranks, run_all
-
-HEXAHEDRON, QUADRILATERAL, TETRAHEDRON, HEXAHEDRON_20 = 5, 3, 4, 17
-
-
-class Mesh:
-    """Cubes of unit edge in a row along x, as a file of Gmsh. Tests put the
-    mistakes in."""
-
-    def __init__(self, volumes=("wall", "wall")):
-        self.version = "2.2 0 8"
-        self.names = []  # (dimension, name); the tag is the place, from 1
-        self.nodes = [[float(x), float(y), float(z)]
-                      for x in range(len(volumes) + 1)
-                      for y, z in ((0, 0), (1, 0), (1, 1), (0, 1))]
-        self.elements = []  # (type, tag, nodes from 1)
-        for i, name in enumerate(volumes):
-            self.add(HEXAHEDRON, name, range(4 * i + 1, 4 * i + 9))
-        self.end = "$EndElements\n"
-
-    def tag(self, dimension, name):
-        if (dimension, name) not in self.names:
-            self.names.append((dimension, name))
-        return self.names.index((dimension, name)) + 1
-
-    def add(self, kind, name, nodes):
-        dimension = 2 if kind == QUADRILATERAL else 3
-        tag = self.tag(dimension, name) if name else 0
-        self.elements.append((kind, tag, list(nodes)))
-        return self
-
-    def surface(self, name, *nodes):
-        return self.add(QUADRILATERAL, name, nodes)
-
-    def move(self, node, *x):
-        self.nodes[node - 1] = list(x)
-        return self
-
-    def __str__(self):
-        lines = ["$MeshFormat", self.version, "$EndMeshFormat"]
-        if self.names:
-            lines += ["$PhysicalNames", len(self.names)]
-            lines += [f'{dimension} {i + 1} "{name}"'
-                      for i, (dimension, name) in enumerate(self.names)]
-            lines += ["$EndPhysicalNames"]
-        lines += ["$Nodes", len(self.nodes)]
-        lines += [" ".join(map(str, [i + 1, *x]))
-                  for i, x in enumerate(self.nodes)]
-        lines += ["$EndNodes", "$Elements", len(self.elements)]
-        lines += [" ".join(map(str, [i + 1, kind, 2, tag, 1, *nodes]))
-                  for i, (kind, tag, nodes) in enumerate(self.elements)]
-        return "\n".join(map(str, lines)) + "\n" + self.end
-
 
 def without_names():
     mesh = Mesh()
@@ -91,11 +44,34 @@ def around_the_axis():
     return mesh
 
 
+def away_from_the_axis():
+    """The cubes from z = 2 on, with a flat skin there."""
+    mesh = Mesh().surface("skin", 1, 2, 6, 5)
+    mesh.nodes = [[x, y, z + 2] for x, y, z in mesh.nodes]
+    return mesh
+
+
+def quarter_of_a_tube(outer=1.3):
+    """From radius 1 to the outer, z = 1 to 3, about the z axis, as CAD has it."""
+    mesh = Mesh(())
+    mesh.nodes = [[r * math.cos(phi), r * math.sin(phi), z]
+                  for z in (1., 2., 3.) for phi in (0, math.pi / 4, math.pi / 2)
+                  for r in (1., outer)]
+    for z in (0, 1):
+        for phi in (0, 1):
+            a, b = 6 * z + 2 * phi + 1, 6 * z + 2 * phi + 7
+            mesh.add(HEXAHEDRON, "wall", [a, a + 1, a + 3, a + 2,
+                                          b, b + 1, b + 3, b + 2])
+            mesh.surface("inside", a, a + 2, b + 2, b)
+            mesh.surface("outside", a + 1, a + 3, b + 3, b + 1)
+    return mesh
+
+
 def of_many_tissues():
     mesh = Mesh(["wall"] * 257)
     for i in range(257):
-        mesh.elements[i] = (HEXAHEDRON, mesh.tag(3, "x" * (i + 1)),
-                            mesh.elements[i][2])
+        name = "layer " + chr(ord("a") + i // 26) + chr(ord("a") + i % 26)
+        mesh.elements[i] = (HEXAHEDRON, mesh.tag(3, name), mesh.elements[i][2])
     return mesh
 
 
@@ -139,20 +115,6 @@ $PartitionedEntities
 $EndPartitionedEntities
 """
 
-# Files of fibres, by their names.
-WRONG_FIBRES = {
-    "five.csv": "0 0 0 1 0 0\n1 0 0 1 0\n",
-    "half.csv": "0 0 0 1 0 0\n0 0.2 0 1 0 0\n",
-    "empty.csv": "x, y, z, fx, fy, fz\n",
-    "word.csv": "0 0 0 1 0 0\n1 0 0 one 0 0\n",
-    "nan.csv": "0 0 0 nan 0 0\n",
-    "zero.csv": "0 0 0 0 0 0\n",
-    "twice.csv": "0 0 0 1 0 0\n1 0 0 1 0 0\n0 0 0 0 1 0\n"}
-
-SECTION = "Geometry/mesh file/"
-FILE = f"'{SECTION}File'"
-FIBRES = "Muscles/all/file/"
-
 # What is wrong; the mesh, or None where it is right; settings; what the message
 # has to say.
 MISTAKES = [
@@ -193,7 +155,8 @@ MISTAKES = [
       "'Mesh.MshFileVersion = 4.1;'"]),
     # A section cannot have such a name: this went on without the tissue.
     ("name with a slash", Mesh(("wall", "w/all")), [],
-     [FILE, "a physical volume 'w/all'", "without '/', '#' and commas"]),
+     [FILE, "a physical volume 'w/all': it has a '/'", "without '/', '#', '=' "
+      "and commas"]),
     ("more tissues than there may be", of_many_tissues(), [],
      [FILE, "has 257 tissues", "there can be 256", "the last word"]),
     # The message was that 'File' is not set.
@@ -228,6 +191,33 @@ MISTAKES = [
      [SECTION + "Round surfaces=head"],
      [f"'{SECTION}Round surfaces'", "'head' on the x axis, at (0, 0, 0)",
       "Remove it"]),
+    # The sides of these cubes became bent, in silence, as every surface did
+    # that was round about another axis.
+    ("round surface that is flat", away_from_the_axis(),
+     [SECTION + "Round surfaces=skin"],
+     [f"'{SECTION}Round surfaces'", "'skin', which is not round about the x "
+      "axis", "distances from the axis of 2 to 2.23607 mm",
+      "0.236068 mm off", "Set 'Round axis'", "remove the surface"]),
+    ("tube about another axis", quarter_of_a_tube(),
+     [SECTION + "Round surfaces=inside, outside"],
+     [f"'{SECTION}Round surfaces'", "side', which is not round about the x "
+      "axis", "Set 'Round axis'"]),
+    ("tube beside its axis", quarter_of_a_tube(),
+     [SECTION + "Round surfaces=inside",
+      SECTION + "Round axis=0.1, 0, 0; 0, 0, 1"],
+     [f"'{SECTION}Round surfaces'", "'inside', which is not round about the "
+      "axis '0.1, 0, 0; 0, 0, 1'"]),
+    # This was a run with folded cells: the inside bulges through the outside.
+    ("round inside of a thin flat wall", quarter_of_a_tube(1.05),
+     [SECTION + "Round surfaces=inside", SECTION + "Round axis=z"],
+     [f"'{SECTION}Round surfaces'", "the cell of the mesh file", "at (0.",
+      "becomes folded", "the other side of the wall"]),
+    ("axis that is none", Mesh().surface("head", 1, 2, 3, 4),
+     [SECTION + "Round surfaces=head", SECTION + "Round axis=0, 0, 1"],
+     [f"'{SECTION}Round axis': '0, 0, 1' is no axis", "'0, 1.5, 0; 0, 0, 1'"]),
+    ("axis without a direction", Mesh().surface("head", 1, 2, 3, 4),
+     [SECTION + "Round surfaces=head", SECTION + "Round axis=0, 0, 1; 0, 0, 0"],
+     [f"'{SECTION}Round axis'", "is no axis", "not zero"]),
     ("liquid that is wall", Mesh(("wall", "cap")),
      [SECTION + "Liquid tissues=wall"],
      [f"'{SECTION}Wall layers' has 'wall'", "'Geometry/mesh file/Liquid "
@@ -309,54 +299,6 @@ MISTAKES = [
      ["Muscle 'all'", f"'{FIBRES}File'", "half.csv' lacks the part of the "
       "muscle around the point (", "mm away", f"'{FIBRES}Reach'"]),
 ]
-
-CASE = """
-subsection Geometry
-  set Shape = mesh file
-  subsection mesh file
-    set File           = FOLDER/body.msh
-    set Liquid tissues =
-  end
-end
-subsection Tissues
-  subsection wall
-    set Muscles = all
-  end
-end
-subsection Muscles
-  subsection all
-    set Fibres         = file
-    set Active stretch = expression
-    subsection expression
-      set Formula = 1 - 0.1*t
-    end
-  end
-end
-subsection Time
-  set First step   = 1
-  set Largest step = 1
-end
-subsection Linear solver
-  set Method = direct
-end
-"""
-
-
-def start(mistake, ranks, folder, run):
-    _, mesh, settings, _ = mistake
-    if "Muscles/all/Fibres=radial" not in settings:
-        settings = [FIBRES + "File=FOLDER/fibres.csv", *settings]
-    folder.mkdir()
-    (folder / "body.msh").write_text(str(Mesh() if mesh is None else mesh))
-    (folder / "fibres.csv").write_text("0.5 0.5 0.5 1 0 0\n1.5 0.5 0.5 1 0 0\n")
-    for name, text in WRONG_FIBRES.items():
-        (folder / name).write_text(text)
-    case = folder / "case.prm"
-    case.write_text(CASE.replace("FOLDER", str(folder)))
-    return run(case, folder / "out",
-               [setting.replace("FOLDER", str(folder)) for setting in settings],
-               ranks)
-
 
 CASES = on_ranks(MISTAKES, on_two=[
     "no file", "tetrahedra", "nodes twice", "segment left out",

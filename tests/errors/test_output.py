@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Results that cannot be written."""
+import os
 import pathlib
+import resource
+import signal
+import subprocess
 
 import pytest
 from mistakes import ManyRuns
@@ -30,24 +34,36 @@ def test_folder_that_cannot_be_written(folder, ranks, tmp_path):
 @pytest.mark.parametrize("name, ranks", [
     ("log.txt", 1), ("log.txt", 2), ("parameters.prm", 1), ("segments.csv", 1),
     ("points.csv", 1), ("vtu/solution_00000.0.vtu", 1), ("solution.pvd", 2)])
-def test_file_that_cannot_be_written(name, ranks, tmp_path):
+def test_folders_of_the_names_of_files(name, ranks, tmp_path):
     (tmp_path / name).mkdir(parents=True)
     result = run(BLOCK, tmp_path, ["Output/Points=0, 0, 0"], ranks)
     assert result.exit_code == 1, result.log + result.message
     message = " ".join(result.message.split("\n---")[0].split())
     assert message == (
-        f"lumbricus: The file '{tmp_path}/{name}' cannot be written: Is a "
-        "directory. Nothing was computed. See that it may be written, or "
-        "choose another folder with 'Output/Folder' or --output.")
+        f"lumbricus: The file '{tmp_path}/{name}' is not as a run of lumbricus "
+        "has left it, and would be overwritten. Move it away, or choose "
+        "another folder with 'Output/Folder' or --output.")
 
 
-def test_disk_that_is_full_from_the_start(tmp_path):
-    """/dev/full is a disk that is."""
-    (tmp_path / "newton.csv.incomplete").symlink_to("/dev/full")
-    result = run(BLOCK, tmp_path)
-    assert result.exit_code == 1, result.log + result.message
-    assert f"'{tmp_path}/newton.csv' cannot be written: No space left" in \
-        result.message
+@pytest.mark.parametrize("most, file", [
+    (10, "lumbricus.lock"), (220, "lumbricus.run"), (700, "parameters.prm")])
+def test_disk_that_is_full_from_the_start(most, file, tmp_path):
+    """Files of so many bytes at most, the signal for which is ignored."""
+    command = [os.environ["LUMBRICUS"], BLOCK, "--output", tmp_path]
+
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
+
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE, text=True,
+                               preexec_fn=limit)
+    _, message = process.communicate(timeout=60)
+    assert process.returncode == 1, message
+    assert "cannot be written: File too large" in message
+    assert file in message or file == "lumbricus.lock"
+    # There is room again, and what is there is the run's.
+    assert run(BLOCK, tmp_path).exit_code == 0
 
 
 def test_checkpoint_that_cannot_be_written(tmp_path):

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A law, a geometry and an activation from outside the tree, in a program that finds
 this one with CMake: in its build folder, and where it is installed."""
+# On Debian 13 neither of the two could be built: deal.II is set there to link with
+# mold, which nothing installs, and CMake, told nothing, writes files for make, which
+# is missing too. So deal.II asks here for a linker that does not exist, and the
+# generator is that of this build.
 import math
 import os
 import subprocess
@@ -10,10 +14,26 @@ from lumbricus_run import SOURCE
 EXAMPLE = SOURCE / "examples" / "own_parts"
 
 
+NO_LINKER = "-fuse-ld=no_such_linker"
+
+
 def cmake(*arguments):
+    """What it says."""
     process = subprocess.run([os.environ["CMAKE"], *map(str, arguments)],
                              capture_output=True, text=True, timeout=300)
     assert process.returncode == 0, process.stdout + process.stderr
+    return process.stdout + process.stderr
+
+
+def deal_ii_without_linker(folder):
+    """The configuration of deal.II, but with a linker that does not exist."""
+    folder.mkdir()
+    for name in ("deal.IIConfig.cmake", "deal.IIConfigVersion.cmake"):
+        (folder / name).write_text(
+            f'include("{os.environ["DEAL_II_CONFIG"]}/{name}")\n')
+    with open(folder / "deal.IIConfig.cmake", "a") as file:
+        file.write(f'string(APPEND DEAL_II_LINKER_FLAGS " {NO_LINKER}")\n')
+    return folder
 
 
 def run(program, case, folder):
@@ -33,10 +53,15 @@ def test_parts_of_another_project(tmp_path):
     cmake("--install", os.environ["BUILD_FOLDER"], "--prefix", installed)
     package = next(installed.glob("lib*/**/LumbricusConfig.cmake")).parent
     # In the build folder it is found too; one of the two is enough to compile.
-    cmake("-S", EXAMPLE, "-B", tmp_path / "beside",
+    cmake("-S", EXAMPLE, "-B", tmp_path / "beside", "-G", os.environ["GENERATOR"],
           f"-DLumbricus_DIR={os.environ['BUILD_FOLDER']}",
           f"-DCMAKE_BUILD_TYPE={os.environ['BUILD_TYPE']}")
-    cmake("-S", EXAMPLE, "-B", tmp_path / "build", f"-DLumbricus_DIR={package}")
+    deal_ii = deal_ii_without_linker(tmp_path / "deal.II")
+    said = cmake("-S", EXAMPLE, "-B", tmp_path / "build",
+                 "-G", os.environ["GENERATOR"], f"-Ddeal.II_DIR={deal_ii}",
+                 f"-DLumbricus_DIR={package}")
+    assert f"a linker that is missing ({NO_LINKER})" in said
+    assert said.count("a linker that is missing") == 1
     cmake("--build", tmp_path / "build")
 
     # The law: a bar that is pulled.

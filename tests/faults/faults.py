@@ -7,7 +7,7 @@ import signal
 import subprocess
 import time
 
-from lumbricus_run import Run
+from lumbricus_run import Run, children_of
 
 HERE = pathlib.Path(__file__).resolve().parent
 CASE = HERE / "short.prm"
@@ -49,9 +49,7 @@ def restart(folder, ranks, settings=()):
 
 def ranks_of(process):
     """The process ids of the program under mpirun."""
-    found = subprocess.run(["pgrep", "-P", str(process.pid)],
-                           capture_output=True, text=True)
-    return [int(pid) for pid in found.stdout.split()]
+    return children_of(process.pid)
 
 
 def kill_rank(pid):

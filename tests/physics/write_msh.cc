@@ -3,17 +3,16 @@
 // Gmsh, for tests that compute the same body both ways.
 #include "../write_msh.h"
 
+#include <lumbricus/core/mpi_session.h>
 #include <lumbricus/core/parameter_file.h>
 #include <lumbricus/program/run_parameters.h>
 
-#include <deal.II/base/mpi.h>
-
 int
-main(int argc, char *argv[])
+main(int, char *argv[])
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  lumbricus::ParameterFile                 file;
-  lumbricus::RunParameters                 parameters;
+  const lumbricus::MpiSession session(argv[0]);
+  lumbricus::ParameterFile    file;
+  lumbricus::RunParameters    parameters;
   file.read(argv[1]);
   file.parse(parameters);
   lumbricus::write_msh(argv[3], argv[2], parameters.anatomy.geometry());

@@ -194,6 +194,25 @@ def test_run_that_is_going_on(finished, copy):
         assert image.n_frames == 2
 
 
+def test_what_was_drawn_goes_with_the_run(copy, tmp_path):
+    """A second run in the folder left the report of the first. What the user has
+    put there stays."""
+    (copy / "poster.png").write_bytes(b"mine")
+    for _ in range(2):
+        assert main([str(copy), "--only", "segments", "report"]) == 0
+    record = (copy / "lumbricus.run").read_text().splitlines()
+    for name in ("segments.png", "report.html"):
+        assert record.count(f"file {name}") == 1
+    # Elsewhere there is no record.
+    assert main([str(copy), "--only", "segments", "--output",
+                 str(tmp_path / "other")]) == 0
+    assert (copy / "lumbricus.run").read_text().splitlines() == record
+    run_well(SOURCE / "tests" / "errors" / "block.prm", copy)
+    assert not (copy / "segments.png").exists()
+    assert not (copy / "report.html").exists()
+    assert (copy / "poster.png").read_bytes() == b"mine"
+
+
 @pytest.fixture
 def refused(capsys):
     """It ends with exit code 1 and one sentence with these words."""

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The entry point of every unit test program: GoogleTest under MPI.
-#include <deal.II/base/mpi.h>
+#include <lumbricus/core/mpi_session.h>
 
 #include <gtest/gtest.h>
 
 int
 main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const lumbricus::MpiSession session(argv[0]);
   ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

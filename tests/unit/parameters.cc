@@ -2,11 +2,14 @@
 // Parameter files: what they name, what is meant by a name that is not known,
 // and how settings reach nested sections.
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/expression.h>
 #include <lumbricus/core/json_parameters.h>
+#include <lumbricus/core/number_in_text.h>
 #include <lumbricus/core/parameter_file.h>
 #include <lumbricus/core/pattern_words.h>
 #include <lumbricus/core/patterns.h>
 #include <lumbricus/core/prm_scanner.h>
+#include <lumbricus/core/text_lines.h>
 #include <lumbricus/materials/material_law.h>
 
 #include <gtest/gtest.h>
@@ -15,6 +18,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "read_plugin.h"
@@ -366,4 +370,73 @@ TEST(JsonParameters, WhatIsWrongIsSaidWithTheFile)
         input_error([&]() { prm_from_json("case.json", in); });
       EXPECT_TRUE(contains(message, words)) << message;
     }
+}
+
+
+
+TEST(Text, LinesEndInAnyWay)
+{
+  std::istringstream in("\xEF\xBB\xBF"
+                        "a\nb\r\nc\rd\r\r\n\ne");
+  EXPECT_EQ(text_of(in), "a\nb\nc\nd\n\n\ne\n");
+
+  std::istringstream       last("a\r\rb");
+  std::vector<std::string> lines;
+  for (std::string line; read_line(last, line);)
+    lines.push_back(line);
+  EXPECT_EQ(lines, (std::vector<std::string>{"a", "", "b"}));
+
+  std::istringstream empty("");
+  EXPECT_EQ(text_of(empty), "");
+}
+
+
+
+// std::strtod() took "0x10", "nan" and "inf", streams took "1.5abc" for 1.5.
+TEST(Text, NumbersAreDecimalNumbers)
+{
+  const std::vector<std::pair<std::string, double>> right = {{"0", 0.},
+                                                             {"-1.5e3", -1500.},
+                                                             {"+.5", 0.5},
+                                                             {"2.", 2.},
+                                                             {"1E-3", 1e-3},
+                                                             {"1e-400", 0.}};
+  for (const auto &[word, value] : right)
+    {
+      double number = -7.;
+      EXPECT_TRUE(read_number(word, number)) << word;
+      EXPECT_EQ(number, value) << word;
+    }
+  for (const std::string wrong :
+       {"", " 1", "1 ", "nan", "inf", "-inf", "infinity", "0x10", "1e", "1e+",
+        "1.5abc", "1,5", "1d3", "1e999", "--1", "."})
+    {
+      double number;
+      EXPECT_FALSE(read_number(wrong, number)) << wrong;
+    }
+
+  long long integer = 0;
+  EXPECT_TRUE(read_number("-12", integer));
+  EXPECT_EQ(integer, -12);
+  for (const std::string wrong :
+       {"", "1.0", "1e3", "0x1", " 1", "1 ", "99999999999999999999"})
+    EXPECT_FALSE(read_number(wrong, integer)) << wrong;
+}
+
+
+
+TEST(Expression, HasNoChance)
+{
+  for (const std::string formula :
+       {"rand()", "2*rand_seed(3)", "x + (rand ())", "rand"})
+    {
+      const std::string message =
+        input_error([&]() { Expression("A/b", formula); });
+      EXPECT_TRUE(contains(message, "it has 'rand")) << message;
+      EXPECT_TRUE(contains(message, "'A/b'")) << message;
+    }
+  // Names that only begin like it.
+  EXPECT_EQ(Expression("A/b", "2*grand + rand2", {{"grand", 3.}, {"rand2", 1.}})
+              .value({}, 0.),
+            7.);
 }

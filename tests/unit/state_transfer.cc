@@ -3,6 +3,7 @@
 #include <lumbricus/adaptivity/mesh_record.h>
 #include <lumbricus/adaptivity/state_transfer.h>
 #include <lumbricus/discretization/cell_state.h>
+#include <lumbricus/discretization/local_constraints.h>
 #include <lumbricus/geometry/geometry.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -208,7 +209,8 @@ TEST_P(StateTransfer, WhatHangsIsConforming)
     if (cell->is_locally_owned() && cell->center()[0] < 1.)
       cell->set_coarsen_flag();
   change();
-  dealii::AffineConstraints<double> hanging_nodes(space.locally_relevant);
+  auto hanging_nodes =
+    local_constraints(space.locally_owned, space.locally_relevant);
   dealii::DoFTools::make_hanging_node_constraints(space.dof_handler,
                                                   hanging_nodes);
   hanging_nodes.close();

@@ -7,6 +7,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <vector>
+
 namespace lumbricus
 {
   /**
@@ -34,6 +36,20 @@ namespace lumbricus
     value(const double              t,
           const unsigned int        segment,
           const dealii::Point<dim> &X) const = 0;
+
+    /**
+     * The times between @p from and @p to at which a load step must not look
+     * past segment @p segment: where a pulse begins, peaks and ends. Without
+     * any, load steps find the changes of value() that take longer than
+     * 'Time/Smallest step'.
+     */
+    virtual std::vector<double>
+    marks(const unsigned int /*segment*/,
+          const double /*from*/,
+          const double /*to*/) const
+    {
+      return {};
+    }
   };
 } // namespace lumbricus
 

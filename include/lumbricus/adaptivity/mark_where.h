@@ -4,6 +4,7 @@
 
 #include <lumbricus/core/dimension.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/filtered_iterator.h>
 

@@ -4,6 +4,8 @@
 
 #include <lumbricus/adaptivity/mark_where.h>
 
+#include <deal.II/base/types.h>
+
 #include <functional>
 
 namespace lumbricus

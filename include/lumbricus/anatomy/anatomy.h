@@ -49,6 +49,12 @@ namespace lumbricus
       const dealii::parallel::TriangulationBase<dim> &triangulation,
       const std::vector<double>                      &times) const;
 
+    /** The active stretch of every muscle in every segment it is in, over time;
+     * the same on all ranks. */
+    std::vector<LoadCurve>
+    load_curves(
+      const dealii::parallel::TriangulationBase<dim> &triangulation) const;
+
     /** The shape of the body. */
     const Geometry &
     geometry() const;
@@ -78,6 +84,10 @@ namespace lumbricus
     const Muscle &
     muscle(const unsigned int i) const;
 
+    /** The tissue of the section Tissues/@p name, one of the geometry's. */
+    const Tissue &
+    tissue(const std::string &name) const;
+
     /** The largest shear modulus of all tissues that are not liquid, or of
      * all where there are no others. */
     double
@@ -86,6 +96,10 @@ namespace lumbricus
   private:
     std::vector<std::string>
     all_muscle_names() const;
+
+    /** No two muscles whose fields are called the same. */
+    void
+    check_field_names() const;
 
     void
     check_liquids() const;

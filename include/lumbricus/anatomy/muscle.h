@@ -3,10 +3,13 @@
 #define lumbricus_anatomy_muscle_h
 
 #include <lumbricus/activation/activation.h>
+#include <lumbricus/core/load_curve.h>
+#include <lumbricus/core/load_time.h>
 #include <lumbricus/core/registry.h>
 #include <lumbricus/fibres/fibre_field.h>
 
 #include <string>
+#include <vector>
 
 namespace lumbricus
 {
@@ -35,6 +38,10 @@ namespace lumbricus
     const std::string &
     name() const;
 
+    /** The name in those of fields: blanks are '_'. */
+    std::string
+    field_name() const;
+
     /**
      * The unit vector along the fibres at @p X. Throws ExcInput where they
      * have no direction, naming muscle and point.
@@ -42,17 +49,32 @@ namespace lumbricus
     dealii::Tensor<1, dim>
     fibre_direction(const dealii::Point<dim> &X) const;
 
+    /** See FibreField::is_sampled(). */
+    bool
+    fibres_are_sampled() const;
+
     /**
      * The active stretch lambda at time @p t in segment @p segment (from one)
-     * at reference position @p X. Throws ExcInput where it is not a positive
+     * at reference position @p X; 1 at rest. Throws ExcInput where it is not a positive
      * number, naming muscle, segment and time.
      */
     double
-    active_stretch(const double              t,
+    active_stretch(const LoadTime           &t,
                    const unsigned int        segment,
                    const dealii::Point<dim> &X) const;
 
+    /** lambda in segment @p segment over time, at some points of it, as it is:
+     * whether it is a positive number is not looked at. */
+    LoadCurve
+    load_curve(const unsigned int                     segment,
+               const std::vector<dealii::Point<dim>> &points) const;
+
   private:
+    double
+    active_stretch_at(const double              t,
+                      const unsigned int        segment,
+                      const dealii::Point<dim> &X) const;
+
     const std::string  muscle_name;
     Choice<FibreField> fibre_choice;
     Choice<Activation> activation_choice;

@@ -27,6 +27,11 @@ namespace lumbricus
     void
     check_parameters() const override;
 
+    /** Let its law be, by default, that of the liquid inside a wall. Only
+     * before extend_parameters(). */
+    void
+    make_liquid();
+
     /** The name of its section, see TissueName. */
     const std::string &
     name() const;

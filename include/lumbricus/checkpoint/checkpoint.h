@@ -3,7 +3,9 @@
 #define lumbricus_checkpoint_checkpoint_h
 
 #include <lumbricus/adaptivity/mesh_record.h>
+#include <lumbricus/checkpoint/manifest.h>
 #include <lumbricus/checkpoint/run_progress.h>
+#include <lumbricus/core/input_file.h>
 #include <lumbricus/discretization/state_record.h>
 #include <lumbricus/output/run_folder.h>
 
@@ -12,13 +14,22 @@
 
 namespace lumbricus
 {
+  /** What a run was asked to do, so that it can be asked again. */
+  struct RunRequest
+  {
+    std::string            parameters; ///< all, with the values of the run
+    std::vector<InputFile> input_files; ///< that they name, on rank 0
+  };
+
+
+
   /**
    * Write all that a run needs to go on to checkpoints/STEP in its folder:
-   * mesh, cells.RANK, progress, parameters.prm, and last a MANIFEST with
-   * their checksums, read back from disk. Without a manifest a checkpoint does
-   * not count. Of older ones the newest is kept. Throws ExcSolveFailed, and
-   * leaves the older ones as they are, where that is not possible (the disk is
-   * full). Collective.
+   * mesh, cells.RANK, progress, inputs, parameters.prm, and last a MANIFEST
+   * with their checksums, read back from disk. Without a manifest a checkpoint
+   * does not count. Of older ones the newest is kept. Throws ExcSolveFailed,
+   * and leaves the older ones as they are, where that is not possible (the disk
+   * is full). Collective.
    */
   void
   write_checkpoint(const RunFolder    &folder,
@@ -26,7 +37,7 @@ namespace lumbricus
                    const MixedSpace   &space,
                    const State        &state,
                    const RunProgress  &progress,
-                   const std::string  &parameters);
+                   const RunRequest   &request);
 
 
 
@@ -35,18 +46,25 @@ namespace lumbricus
   {
   public:
     /**
-     * Find the newest in the folder of a run whose checksums are right;
-     * @p skipped says which newer ones are damaged, and how. Throws ExcInput
-     * where there is none. Collective.
+     * Find the newest of a run that is as it was written; @p skipped says which
+     * newer ones are damaged, and how. Nothing in them is trusted: they may
+     * come from anywhere. Throws ExcInput where there is none. Collective.
      */
     static Checkpoint
-    newest(const std::string &run_folder,
-           std::string       &skipped,
-           const MPI_Comm     comm);
+    newest(const RunFolder &folder, std::string &skipped, const MPI_Comm comm);
 
-    /** Its parameters.prm. */
-    std::string
-    parameter_file() const;
+    /** Throw ExcInput where the folder of that name cannot have one.
+     * Collective. */
+    static void
+    check_folder(const std::string &run_folder, const MPI_Comm comm);
+
+    /** Where it is, from the working directory. */
+    const std::string &
+    path() const;
+
+    /** The parameters of the run, and the files that they name. */
+    const RunRequest &
+    request() const;
 
     /** The version of the program that wrote it. */
     const std::string &
@@ -60,20 +78,43 @@ namespace lumbricus
     void
     refine(ParallelMesh &triangulation) const;
 
-    /** Read the state, on as many ranks as there are. Collective. */
+    /** Read the state, on as many ranks as there are. Throws ExcInput where it
+     * is not that of this mesh. Collective. */
     State
     read_state(const MixedSpace &space) const;
 
   private:
-    /** Read MANIFEST and progress, and check all files against it where
-     * @p check_files. @return what is wrong, or "". */
-    std::string
-    read_manifest(const bool check_files);
+    /** The small files, which all ranks have. */
+    struct Texts
+    {
+      std::string manifest;
+      std::string progress;
+      std::string inputs;
+      std::string parameters;
+      std::string mesh;
 
-    std::string               path;
-    std::string               version;
-    RunProgress               run_progress;
-    std::vector<unsigned int> cells_of_rank;
+      /** For sending it to all ranks. */
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &manifest &progress &inputs &parameters &mesh;
+      }
+    };
+
+    /** Read and check all files of it. Throws ExcDamaged, ExcUnknownItem. */
+    static Texts
+    read(const std::string &path, const std::string &run_id);
+
+    /** Take what read() gave. Throws ExcDamaged, ExcUnknownItem. */
+    void
+    take(const Texts &texts);
+
+    std::string folder_path;
+    Manifest    manifest;
+    RunProgress run_progress;
+    RunRequest  run_request;
+    std::string mesh;
   };
 } // namespace lumbricus
 

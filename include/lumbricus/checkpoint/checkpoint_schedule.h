@@ -25,6 +25,10 @@ namespace lumbricus
     bool
     due(const unsigned int number, const MPI_Comm comm) const;
 
+    /** Whether one is due after step @p number whatever the clock says. */
+    bool
+    due_by_number(const unsigned int number) const;
+
     /** One has been written. */
     void
     written();

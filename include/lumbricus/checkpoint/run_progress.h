@@ -2,7 +2,8 @@
 #ifndef lumbricus_checkpoint_run_progress_h
 #define lumbricus_checkpoint_run_progress_h
 
-#include <cstdint>
+#include <lumbricus/core/fingerprint.h>
+
 #include <iosfwd>
 #include <map>
 #include <string>
@@ -19,8 +20,8 @@ namespace lumbricus
     /** The size of the load step wanted next. */
     double step_size       = 0.;
     double elapsed_seconds = 0.; ///< of all runs up to here
-    /** How long the tables are [bytes]. */
-    std::map<std::string, std::uintmax_t> table_sizes;
+    /** What there is of the tables. */
+    std::map<std::string, Fingerprint> tables;
     /** The VTU files so far, by time. */
     std::vector<std::pair<double, std::string>> vtu_files;
     /** Whether the last of them is that of this state. */
@@ -30,10 +31,10 @@ namespace lumbricus
     void
     write(std::ostream &out) const;
 
-    /** Read what write() wrote. @p unknown is set to the first item that no
-     * RunProgress has. */
+    /** Read what write() wrote. Throws ExcUnknownItem, and ExcDamaged where
+     * something is missing or cannot be. */
     static RunProgress
-    read(std::istream &in, std::string &unknown);
+    read(const std::string &text);
   };
 } // namespace lumbricus
 

@@ -6,10 +6,15 @@
 
 namespace lumbricus
 {
+  /** How many addresses this process may have ('ulimit -v') [MB]; infinite
+   * where there is no limit. */
+  double
+  address_space_limit();
+
   /**
    * What a rank can still allocate [MB]: the memory that its machine has
-   * available, shared among the ranks there; of all ranks the least. Infinite
-   * where the system does not say. Collective.
+   * available, shared among the ranks there, or what its own limit leaves; of
+   * all ranks the least. Infinite where the system does not say. Collective.
    */
   double
   available_megabytes(const MPI_Comm comm);

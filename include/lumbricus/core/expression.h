@@ -3,6 +3,7 @@
 #define lumbricus_core_expression_h
 
 #include <lumbricus/core/dimension.h>
+#include <lumbricus/core/load_time.h>
 
 #include <deal.II/base/function_parser.h>
 #include <deal.II/base/point.h>
@@ -36,6 +37,11 @@ namespace lumbricus
      */
     double
     value(const dealii::Point<dim> &x, const double t) const;
+
+    /** The value when loads are taken at @p t, of a load that is zero at
+     * rest. */
+    double
+    value(const dealii::Point<dim> &x, const LoadTime &t) const;
 
     /** The full name of the parameter. */
     const std::string &

@@ -10,14 +10,30 @@
 namespace lumbricus
 {
   /**
-   * Somebody wants the run to end: SIGTERM, as batch systems send it, or
-   * SIGUSR1, which mpirun passes on. The state is written, exit code 4.
+   * Somebody wants the run to end: SIGTERM, as batch systems send it, SIGINT
+   * (Ctrl-C), SIGHUP (the terminal is closed) or SIGUSR1, which mpirun passes
+   * on; or nobody reads what it says any more. The state is written, exit code
+   * 4.
    */
   DeclException1(ExcInterrupted, std::string, << arg1);
 
-  /** Take note of SIGTERM and SIGUSR1 from now on instead of ending. */
+  /**
+   * Take note of these signals from now on instead of ending; a second one
+   * ends the process, unless it comes within a second of the first: terminals,
+   * batch systems and mpirun send several at once. Those that were ignored when
+   * this was called first (nohup) still are. To be called first of all, and
+   * again when libraries have been started, which may install what they like.
+   */
   void
   watch_for_interruption();
+
+  /** Do not end where what is written to is closed (SIGPIPE). */
+  void
+  ignore_closed_output();
+
+  /** Take note that nobody reads the standard output any more. */
+  void
+  note_closed_output();
 
   /**
    * Throw ExcInterrupted on all ranks where any has got a signal. A safe point:

@@ -13,7 +13,8 @@ namespace lumbricus
    *
    *   {"Time": {"End": 2}, "Output": {"Points": "0, 0, 0"}}
    *
-   * Throws ExcInput that names @p file_name and the line where it is no JSON.
+   * Throws ExcInput that names @p file_name and the line where it is no JSON,
+   * or more than InputLimits allow.
    */
   std::string
   prm_from_json(const std::string &file_name, std::istream &in);

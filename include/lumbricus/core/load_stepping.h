@@ -28,6 +28,10 @@ namespace lumbricus
     bool
     finished(const double time) const;
 
+    /** A step that is cut is not shorter than this [time]. */
+    double
+    smallest_step() const;
+
     /** The time the next step goes to, from @p time. */
     double
     next_time(const double time) const;
@@ -38,11 +42,12 @@ namespace lumbricus
     accept(const unsigned int n_newton_iterations);
 
     /**
-     * The step from @p time did not converge for the reason @p why: halve it.
-     * Throws ExcSolveFailed where it would be shorter than the shortest.
+     * The step from @p time to @p next did not converge for the reason @p why:
+     * halve it. Throws ExcSolveFailed where it would be shorter than the
+     * shortest.
      */
     void
-    cut(const double time, const std::string &why);
+    cut(const double time, const double next, const std::string &why);
 
     /** The size of the step wanted next. */
     double

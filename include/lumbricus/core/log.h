@@ -2,6 +2,8 @@
 #ifndef lumbricus_core_log_h
 #define lumbricus_core_log_h
 
+#include <lumbricus/core/interruption.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <unistd.h>
@@ -57,12 +59,21 @@ namespace lumbricus
           if (on_terminal)
             {
               progress("");
-              std::cout << text.str() << std::flush;
+              say(text.str());
             }
           if (file.is_open())
             file << text.str() << std::flush;
         }
       return *this;
+    }
+
+    /** Write @p message to the file only: the terminal has it from what is
+     * thrown with it, which ends the run. */
+    void
+    note(const std::string &message)
+    {
+      if (active && file.is_open())
+        file << message << std::flush;
     }
 
     /** Say @p line where details are wanted (--verbose). */
@@ -73,6 +84,19 @@ namespace lumbricus
         *this << "        " << line << "\n";
     }
 
+    /** What is wrong where something has not reached a standard output that
+     * somebody reads; empty where all has, and on other ranks. */
+    std::string
+    lost_output() const
+    {
+      return lost ? output_cannot_be_written : "";
+    }
+
+    /** What to say where the standard output cannot be written. */
+    static constexpr const char *output_cannot_be_written =
+      "Standard output cannot be written. See where it goes, and whether there "
+      "is space.";
+
     /** Show @p line at the end of the output, in place of the last one: only
      * where somebody looks at it, or where it was asked for; never in files. */
     void
@@ -81,11 +105,28 @@ namespace lumbricus
       if (!shows_progress || line == shown)
         return;
       // Back to the first column, and clear the line.
-      std::cout << "\r\033[K" << line << std::flush;
+      say("\r\033[K" + line);
       shown = line;
     }
 
   private:
+    /** Write to the standard output. Where nobody reads it any more that is
+     * noted; where it cannot be written otherwise (a full disk) the file, if
+     * there is one, has all of it. */
+    void
+    say(const std::string &text)
+    {
+      errno = 0;
+      if (!(std::cout << text << std::flush))
+        {
+          if (errno == EPIPE)
+            note_closed_output();
+          else
+            lost = true;
+        }
+      std::cout.clear();
+    }
+
     /** Whether standard output is a terminal. Under mpirun it always looks like
      * one, wherever that writes to. */
     static bool
@@ -102,6 +143,7 @@ namespace lumbricus
     const bool    shows_progress;
     std::ofstream file;
     std::string   shown;
+    bool          lost = false; ///< something that was to be said
   };
 } // namespace lumbricus
 

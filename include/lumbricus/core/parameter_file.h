@@ -2,12 +2,15 @@
 #ifndef lumbricus_core_parameter_file_h
 #define lumbricus_core_parameter_file_h
 
+#include <lumbricus/core/input_file.h>
 #include <lumbricus/core/parameter_owner.h>
-#include <lumbricus/core/prm_scanner.h>
+#include <lumbricus/core/parameter_source.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <functional>
 #include <iosfwd>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -30,6 +33,11 @@ namespace lumbricus
     void
     read(const std::string &file_name);
 
+    /** Take @p text, which print_resolved() wrote to a file of this name: it
+     * includes nothing. */
+    void
+    take_resolved(const std::string &file_name, const std::string &text);
+
     /** Take a setting "Section/Subsection/Name=value". Throws ExcInput. */
     void
     set(const std::string &setting);
@@ -40,52 +48,81 @@ namespace lumbricus
      * unknown section or name, or a value of the wrong type or range, is an
      * ExcInput that names the file, the line, the parameter and its nearest
      * neighbour.
+     *
+     * What a file says is right where it is used by the file alone, or with
+     * the settings: so a setting may make another choice, or list fewer names,
+     * than a file with the sections of all that it chose itself.
      */
+    template <class Root>
     void
-    parse(ParameterOwner &root);
+    parse(Root &root);
+
+    /** The sections and parameters of files that are not used because of
+     * settings, as "'Section/Name' in file.prm, line 3". */
+    const std::vector<std::string> &
+    unused() const;
 
     /** All parameters with the values of this run, to run it again. */
     void
     print_resolved(std::ostream &out);
+
+    /** The files that the parameters name, as they are now: those with the
+     * pattern dealii::Patterns::FileName(), or a list of it, that are set. */
+    std::vector<InputFile>
+    input_files() const;
+
+    /** The path of the parameter that a setting is of: "Section/Name". */
+    static std::string
+    path_of_setting(const std::string &setting);
 
     /** All parameters there are, with documentation; @p root is fresh. */
     static void
     print_reference(ParameterOwner &root, std::ostream &out);
 
   private:
-    struct Source
-    {
-      std::string name;
-      std::string text;
-      bool        has_lines; ///< and is not from --set or JSON
-
-      /** The place of a line, for messages: "file.prm, line 3". */
-      std::string
-      place(const unsigned int line) const;
-
-      /** deal.II's message on a value that does not match its pattern, said
-       * with the full name of the parameter and in words. */
-      std::string
-      wrong_value(const std::string &message) const;
-    };
+    using MakeRoot = std::function<std::unique_ptr<ParameterOwner>()>;
 
     /** The paths of what is declared. */
     struct Names
     {
       std::set<std::string> entries;
       std::set<std::string> sections;
+
+      bool
+      have(const PrmLine &line) const
+      {
+        return (line.is_section ? sections : entries).count(line.path) > 0;
+      }
     };
 
-    /** Throw ExcInput for a line that cannot be read, or where nothing is set
-     * at all. */
     void
-    check_syntax() const;
+    parse(ParameterOwner &root, const MakeRoot &make_root);
+
+    /** Declare and read until @p root has nothing more to declare. */
+    void
+    declare(ParameterOwner &root);
+
+    /** Throw ExcInput where nothing is set at all. */
+    void
+    check_any() const;
+
+    /** Set all that is declared. */
+    void
+    set_known_values();
+
+    void
+    set_value(const ParameterSource &source, const PrmLine &line);
 
     Names
     known_names() const;
 
+    /** Those that are declared for the files without the settings. */
+    Names
+    names_of_files(const MakeRoot &make_root) const;
+
+    /** All have to be known, or to be used without the settings. */
     void
-    check_names() const;
+    check_names(const MakeRoot &make_root);
 
     /** The same for parameters in sections that are declared, all of whose
      * parameters are, while others are not yet. */
@@ -94,9 +131,9 @@ namespace lumbricus
 
     /** The message on a line whose path is not known. */
     std::string
-    unknown_name(const Source  &source,
-                 const PrmLine &line,
-                 const Names   &known) const;
+    unknown_name(const ParameterSource &source,
+                 const PrmLine         &line,
+                 const Names           &known) const;
 
     /**
      * The parameter beside @p section that could choose it but does not, as
@@ -110,14 +147,20 @@ namespace lumbricus
     bool
     extend(ParameterOwner &root);
 
-    void
-    parse_source(const Source &source, const bool skip_undefined);
-
-    std::vector<Source>      sources;
-    std::vector<std::string> being_read;
+    std::vector<ParameterSource> sources;
+    std::vector<std::string>     unused_names;
 
     mutable dealii::ParameterHandler prm;
   };
+
+
+
+  template <class Root>
+  void
+  ParameterFile::parse(Root &root)
+  {
+    parse(root, []() { return std::make_unique<Root>(); });
+  }
 } // namespace lumbricus
 
 #endif

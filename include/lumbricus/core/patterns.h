@@ -2,6 +2,9 @@
 #ifndef lumbricus_core_patterns_h
 #define lumbricus_core_patterns_h
 
+#include <lumbricus/core/input_limits.h>
+#include <lumbricus/core/names.h>
+
 #include <deal.II/base/patterns.h>
 
 #include <cstdlib>
@@ -48,11 +51,11 @@ namespace lumbricus
   class Name : public dealii::Patterns::PatternBase
   {
   public:
-    /** Whether @p text is one: not empty, and without a slash. */
+    /** Whether @p text is one: see unfit_name(). */
     bool
     match(const std::string &text) const override
     {
-      return !text.empty() && text.find('/') == std::string::npos;
+      return unfit_name(text).empty();
     }
 
     /** "[Name]", as deal.II's messages have it. */
@@ -68,6 +71,18 @@ namespace lumbricus
     {
       return std::make_unique<Name>();
     }
+  };
+
+
+
+  /** A list of names, as long as one may be. */
+  class NameList : public dealii::Patterns::List
+  {
+  public:
+    /** Of no name, or of some. */
+    NameList()
+      : List(Name(), 0, InputLimits::names)
+    {}
   };
 } // namespace lumbricus
 

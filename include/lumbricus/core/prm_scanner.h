@@ -16,16 +16,19 @@ namespace lumbricus
     std::string path;
     /** Whether it opens a section; else it sets an entry. */
     bool is_section;
+    /** What the entry is set to, without blanks at its ends. */
+    std::string value = "";
   };
 
   /**
-   * The outline of a parameter file: which sections and entries it names,
-   * where. Values are left to dealii::ParameterHandler.
+   * What a parameter file says: which sections and entries it names, where,
+   * and the values. There has to be no first_mistake().
    */
   std::vector<PrmLine>
   scan_prm(const std::string &text);
 
-  /** A line that is none of a parameter file, and what is wrong with it. */
+  /** A line that is none of a parameter file, or more than InputLimits allow,
+   * and what is wrong with it. */
   struct PrmMistake
   {
     unsigned int line = 0; ///< from 1; 0 where there is no mistake

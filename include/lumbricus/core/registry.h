@@ -125,6 +125,14 @@ namespace lumbricus
       , documentation(documentation)
     {}
 
+    /** Do this with every object before its parameters are declared, to change
+     * their defaults. */
+    void
+    prepare_with(const std::function<void(Base &)> &preparation)
+    {
+      prepare = preparation;
+    }
+
     void
     declare_parameters(dealii::ParameterHandler &prm) override
     {
@@ -141,7 +149,16 @@ namespace lumbricus
     extend_parameters(dealii::ParameterHandler &prm,
                       const Extent              extent) override
     {
+      // Those that are new have to be read first: what they choose themselves
+      // is still the default, whose section nobody may ask for.
       bool extended = false;
+      for (auto &object : objects)
+        {
+          prm.enter_subsection(object.first);
+          extended |= object.second->extend_parameters(prm, extent);
+          prm.leave_subsection();
+        }
+
       if (extent == Extent::everything)
         {
           for (const auto &alternative : Registry<Base>::entries())
@@ -149,13 +166,6 @@ namespace lumbricus
         }
       else if (!name.empty())
         extended |= declare(name, prm);
-
-      for (auto &object : objects)
-        {
-          prm.enter_subsection(object.first);
-          extended |= object.second->extend_parameters(prm, extent);
-          prm.leave_subsection();
-        }
       return extended;
     }
 
@@ -211,6 +221,8 @@ namespace lumbricus
       if (objects.count(which) > 0)
         return false;
       objects[which] = Registry<Base>::create(which);
+      if (prepare)
+        prepare(*objects[which]);
       prm.enter_subsection(which);
       objects[which]->declare_parameters(prm);
       prm.leave_subsection();
@@ -220,6 +232,7 @@ namespace lumbricus
     const std::string                            entry;
     std::string                                  name;
     const std::string                            documentation;
+    std::function<void(Base &)>                  prepare;
     std::map<std::string, std::unique_ptr<Base>> objects;
   };
 } // namespace lumbricus

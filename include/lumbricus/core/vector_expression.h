@@ -4,6 +4,7 @@
 
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/expression.h>
+#include <lumbricus/core/user_text.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -19,7 +20,8 @@ namespace lumbricus
     const std::vector<std::string> parts =
       dealii::Utilities::split_string_list(formulas, ';');
     AssertThrow(parts.size() == dim,
-                ExcInput("Parameter '" + name + "': '" + formulas + "' has " +
+                ExcInput("Parameter '" + name + "': '" +
+                         shortened(formulas) + "' has " +
                          std::to_string(parts.size()) +
                          " components; give three expressions separated by "
                          "semicolons, such as '0.1*t; 0; 0'."));

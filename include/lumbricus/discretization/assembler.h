@@ -5,6 +5,7 @@
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/reference_field.h>
+#include <lumbricus/discretization/rounding_level.h>
 #include <lumbricus/discretization/supports.h>
 #include <lumbricus/discretization/tangent.h>
 #include <lumbricus/loads/boundary_conditions.h>
@@ -32,6 +33,11 @@ namespace lumbricus
       /** Root of the sum of squares of the nodal forces of all cells: the
        * level of the internal forces before they balance [N]. */
       double force_level = 0.;
+      /** What rounding makes of the norm of r_u [N] and of the l1 norm of r_p
+       * [mm^3] of an exact solution: RoundingLevel. */
+      double force_rounding = 0.;
+      /** See force_rounding. */
+      double volume_rounding = 0.;
       /** The smallest det F at any quadrature point, and where it is. Where
        * it is not positive the vector is not to be used. */
       double min_J = 1.;
@@ -60,16 +66,23 @@ namespace lumbricus
     void
     reinit();
 
+    /**
+     * The constraints are others, of the same unknowns as far as is known.
+     * @return whether they are: if not, reinit() has to follow. Collective.
+     */
+    bool
+    update_constraints();
+
     /** Compute the residual r at @p solution and time @p t. Collective. */
     Report
-    residual(const Vector &solution, const double t, Vector &r);
+    residual(const Vector &solution, const LoadTime &t, Vector &r);
 
     /**
      * Compute the tangent and the right-hand side -r, with the
      * inhomogeneities of the supports brought to it. Collective.
      */
     Report
-    linearise(const Vector &solution, const double t);
+    linearise(const Vector &solution, const LoadTime &t);
 
     /** The tangent that linearise() computed. */
     const Tangent &
@@ -82,7 +95,9 @@ namespace lumbricus
 
   private:
     Report
-    assemble(const Vector &solution, const double t, const bool with_tangent);
+    assemble(const Vector   &solution,
+             const LoadTime &t,
+             const bool      with_tangent);
 
     /**
      * Subtract the boundary tractions of owned cell @p i, at the displacements
@@ -91,9 +106,23 @@ namespace lumbricus
     void
     add_surface_terms(const dealii::DoFHandler<dim>::active_cell_iterator &cell,
                       const unsigned int                                   i,
-                      const double                                         t,
+                      const LoadTime                                      &t,
                       const bool with_tangent,
                       double    *residual);
+
+    /**
+     * Where the liquid of owned cell @p i slips, the wall holds it by a normal
+     * traction that turns with the surface: add
+     *
+     *   -int p N_b . d(cof(F) N) dA
+     *
+     * to the tangent, symmetrised, with the p that the kernel has. The sum over
+     * the surface of a hydrostatic liquid is the exact derivative.
+     */
+    void
+    add_interface_tangent(
+      const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+      const unsigned int                                   i);
 
     const MixedSpace         &space;
     const ShapeCache         &shapes;
@@ -107,6 +136,8 @@ namespace lumbricus
     CellVector   u;
     CellVector   sum;
     CellVector   rhs;
+
+    RoundingLevel rounding;
 
     std::unique_ptr<ElementKernel> kernel;
     dealii::FEFaceValues<dim>      face_values;

@@ -7,6 +7,7 @@
 #include <lumbricus/discretization/shape_cache.h>
 
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/numerics/data_component_interpretation.h>
 
 #include <memory>

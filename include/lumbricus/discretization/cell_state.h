@@ -4,6 +4,8 @@
 
 #include <lumbricus/discretization/mixed_space.h>
 
+#include <deal.II/base/types.h>
+
 #include <vector>
 
 namespace lumbricus

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/partitioner.h>
+#include <deal.II/base/types.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -70,6 +71,16 @@ namespace lumbricus
     reinit(const dealii::IndexSet                             &owned,
            const std::vector<dealii::types::global_dof_index> &of_cells,
            const dealii::AffineConstraints<double>            &constraints);
+
+    /**
+     * Only the weights and inhomogeneities of @p constraints have changed, as
+     * far as it knows: if so, take them over; then vectors, numberings and
+     * patterns stay what they are.
+     * @return whether it was so on all ranks. If not, nothing is changed:
+     * reinit() has to follow. Collective.
+     */
+    bool
+    update_weights(const dealii::AffineConstraints<double> &constraints);
 
     /** Only the inhomogeneities of @p constraints have changed. */
     void
@@ -150,6 +161,10 @@ namespace lumbricus
       std::vector<dealii::types::global_dof_index> indices;
       std::vector<double>                          inhomogeneities;
     };
+
+    /** Whether nothing but weights and inhomogeneities differs. */
+    bool
+    is_like(const CellUnknowns &other) const;
 
     const MixedSpace &space;
 

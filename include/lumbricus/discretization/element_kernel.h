@@ -4,6 +4,8 @@
 
 #include <lumbricus/discretization/cell_linearisation.h>
 
+#include <deal.II/base/types.h>
+
 #include <array>
 #include <vector>
 

@@ -4,6 +4,7 @@
 
 #include <lumbricus/core/dimension.h>
 
+#include <deal.II/base/point.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>

@@ -36,13 +36,18 @@ namespace lumbricus
      * where a stretch is not a positive number. Collective.
      */
     void
-    update_muscles(const double t);
+    update_muscles(const LoadTime &t);
 
     /** Set the liquid's rest shape and volume. */
     void
     update_liquid(const State &state);
 
-    /** Set all from a state. Throws ExcInput. Collective. */
+    /** Set all from a state, with loads taken at @p t. Throws ExcInput.
+     * Collective. */
+    void
+    update(const State &state, const LoadTime &t);
+
+    /** The same at the time of @p state. */
     void
     update(const State &state);
 

@@ -22,6 +22,10 @@ namespace lumbricus
   class RigidMotions
   {
   public:
+    /** A force and its moment, (f, (X - X0) x f / L) [N]: what it does to the
+     * six motions. */
+    using Row = std::array<double, 2 * dim>;
+
     /** None is held yet. @p L is a length typical of the body [mm], which makes
      * turns comparable to shifts. */
     RigidMotions(const dealii::Point<dim> &X0, const double L);
@@ -42,15 +46,24 @@ namespace lumbricus
     std::string
     free_motions() const;
 
-  private:
-    using Row = std::array<double, 2 * dim>;
+    /** The row of a force @p f at @p X. */
+    Row
+    row(const dealii::Point<dim> &X, const dealii::Tensor<1, dim> &f) const;
 
-    bool
-    add(Row row);
+    /** What of @p row does work on motions that nothing holds. */
+    Row
+    unheld(const Row &row) const;
 
+    /** Where moments are taken about. */
     const dealii::Point<dim> X0;
-    const double             L;
-    std::vector<Row>         basis;
+    /** A length typical of the body [mm]. */
+    const double L;
+
+  private:
+    bool
+    add(const Row &row);
+
+    std::vector<Row> basis;
   };
 } // namespace lumbricus
 

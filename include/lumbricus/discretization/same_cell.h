@@ -5,6 +5,7 @@
 #include <lumbricus/core/dimension.h>
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/grid/tria.h>
 
 namespace lumbricus
 {

@@ -5,6 +5,7 @@
 #include <lumbricus/discretization/mixed_space.h>
 
 #include <deal.II/base/aligned_vector.h>
+#include <deal.II/base/point.h>
 
 #include <vector>
 

@@ -15,15 +15,18 @@ namespace lumbricus
 {
   /**
    * The interface at which liquid slips along the wall. Both have nodes of
-   * their own at the same places at rest; of each such pair the increments of
-   * displacement satisfy
+   * their own at the same places at rest; each such pair b satisfies
    *
-   *   m . (du_liquid - du_wall) = 0,     m_b = int N_b cof(F) N dA,
+   *   m_b(u) . ( (u_liquid - u_wall) - (u_liquid - u_wall)_0 ) = 0,
    *
-   * with the integral over the liquid's side. These are the normals for which
-   * a hydrostatic liquid is in equilibrium exactly: the nodal forces of a
-   * constant pressure p are p m_b. Where two or three surfaces meet (wall and
-   * septum) each has its m, so that the liquid stays in the corner.
+   *   m_b(u) = int N_b cof(F) N dA,
+   *
+   * where 0 is the state that the solve for u began with, and the integral is
+   * over the liquid's side. These are the normals for which a hydrostatic
+   * liquid is in equilibrium exactly: the nodal forces of a constant pressure p
+   * are p m_b. Where two or three surfaces meet (wall and septum) each has its
+   * m, so that the liquid stays in the corner. With normals that do not follow
+   * the deformation m_b is that at rest.
    *
    * Cells on the two sides of a face have to be of the same level.
    */
@@ -69,17 +72,27 @@ namespace lumbricus
     void
     reinit();
 
-    /** Compute the normals at @p solution. Collective. */
+    /** Compute the normals at @p solution, and what pairs have slipped since
+     * @p start. Collective. */
     void
-    update_normals(const Vector &solution);
+    update(const Vector &solution, const Vector &start);
 
     /**
-     * Add the constraints to those on hanging nodes and prescribed
-     * displacements that are in @p constraints already. A direction in which
-     * the liquid is prescribed is left alone.
+     * Add the constraints on increments to those on hanging nodes and
+     * prescribed displacements that are in @p constraints already; their
+     * inhomogeneity is what the pairs are off the condition by. A direction in
+     * which the liquid is prescribed is left alone.
+     * @return the largest inhomogeneity that this rank has added [mm].
      */
-    void
+    double
     add_constraints(dealii::AffineConstraints<double> &constraints) const;
+
+    /** Whether face @p f of @p cell, which is not artificial, is the liquid's
+     * side of the interface. */
+    bool
+    is_liquid_side(
+      const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+      const unsigned int                                   f) const;
 
     /** The pairs this rank knows: all on its own cells, and more. */
     const std::vector<NodePair> &
@@ -99,6 +112,10 @@ namespace lumbricus
     void
     find_pairs();
 
+    /** m of all surfaces at @p solution. */
+    void
+    update_normals(const Vector &solution);
+
     void
     merge_surfaces();
 
@@ -109,6 +126,7 @@ namespace lumbricus
     dealii::AffineConstraints<double> hanging_nodes;
     std::vector<NodePair>             node_pairs;
     std::array<Vector, n_surfaces>    m;
+    Vector                            moved; // since the start of the solve
   };
 } // namespace lumbricus
 

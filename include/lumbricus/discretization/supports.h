@@ -8,6 +8,8 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <array>
+#include <memory>
 #include <vector>
 
 namespace lumbricus
@@ -22,6 +24,36 @@ namespace lumbricus
   class Supports
   {
   public:
+    /** What holds an unknown. */
+    enum class By
+    {
+      condition,      ///< a prescribed displacement
+      symmetry,       ///< a plane of mirror symmetry
+      minimal_support ///< nothing but the minimal support
+    };
+
+    /** An unknown that is prescribed; without a condition it is held at 0. */
+    struct Prescribed
+    {
+      dealii::types::global_dof_index index;     ///< the unknown
+      unsigned int                    component; ///< of the displacement
+      unsigned int                    body;      ///< see body_of()
+      dealii::Point<dim>              X;         ///< its node [mm]
+      const BoundaryCondition        *condition; ///< or nullptr
+      By                              by;        ///< what holds it
+      /** Which plane of the geometry, or which of minimal_support(). */
+      unsigned int number;
+      /** The displacement of its node. */
+      std::array<dealii::types::global_dof_index, dim> node;
+    };
+
+    /** A displacement that the minimal support holds. */
+    struct HeldPoint
+    {
+      dealii::Point<dim> X;         ///< where [mm]
+      unsigned int       direction; ///< 0, 1, 2 for x, y, z
+    };
+
     /** All of these are kept by reference; there are no constraints before
      * reinit(). */
     Supports(const MixedSpace         &space,
@@ -36,13 +68,29 @@ namespace lumbricus
     void
     reinit();
 
-    /**
-     * Let the normals of the interface be those at @p solution, if they follow
-     * the deformation.
-     * @return whether the constraints have changed. Collective.
-     */
+    /** Whether liquid slips along normals that follow the deformation, so that
+     * the constraints are others at every state. */
     bool
-    renew_interface(const Vector &solution);
+    follow_the_deformation() const;
+
+    /**
+     * Where they follow the deformation, let the normals of the interface be
+     * those at @p solution and the slip be that since @p start. Collective.
+     */
+    void
+    update_interface(const Vector &solution, const Vector &start);
+
+    /** What the liquid is off the wall by, along the normals, as compared with
+     * the start of the solve: the largest on any rank [mm]. */
+    double
+    gap() const;
+
+    /** See SlipInterface::is_liquid_side(); false where normals do not follow
+     * the deformation. */
+    bool
+    is_sliding_face(
+      const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+      const unsigned int                                   f) const;
 
     /**
      * Set the inhomogeneities to what @p solution lacks of the displacements
@@ -50,11 +98,29 @@ namespace lumbricus
      * @return the largest of them on any rank. Collective.
      */
     double
-    set_increments(const Vector &solution, const double t);
+    set_increments(const Vector &solution, const LoadTime &t);
 
     /** Set all inhomogeneities to zero. */
     void
     set_increments_to_zero();
+
+    /** The unknowns that are prescribed, of owned and ghost cells. */
+    const std::vector<Prescribed> &
+    prescribed_unknowns() const;
+
+    /** What the minimal support holds, the same on all ranks. */
+    const std::vector<HeldPoint> &
+    minimal_support() const;
+
+    /** The constraints that do not hold anything but pass forces on: hanging
+     * nodes and the interface, closed. Collective. */
+    dealii::AffineConstraints<double>
+    links() const;
+
+    /** What holds the wall, and all that does not slip, besides the minimal
+     * support. */
+    const RigidMotions &
+    held_without_minimal_support() const;
 
     /** All constraints on the unknowns of the space, closed, with the
      * inhomogeneities set last. */
@@ -62,16 +128,6 @@ namespace lumbricus
     constraints() const;
 
   private:
-    /** An unknown that is prescribed; without a condition it is held at 0. */
-    struct Prescribed
-    {
-      dealii::types::global_dof_index index;
-      unsigned int                    component;
-      unsigned int                    body;
-      dealii::Point<dim>              X;
-      const BoundaryCondition        *condition;
-    };
-
     /** The body a cell is part of that can move by itself: 0, or segment + 1
      * for liquid that slips. */
     unsigned int
@@ -100,6 +156,14 @@ namespace lumbricus
     void
     close();
 
+    /** Close constraints that have all their lines. */
+    void
+    close(dealii::AffineConstraints<double> &constraints) const;
+
+    /** The unknowns whose constraints this rank has to know. */
+    dealii::IndexSet
+    known_unknowns() const;
+
     const MixedSpace         &space;
     const Anatomy            &anatomy;
     const Geometry           &geometry;
@@ -110,6 +174,9 @@ namespace lumbricus
     dealii::AffineConstraints<double> base;
     dealii::AffineConstraints<double> increments;
     std::vector<Prescribed>           prescribed;
+    std::vector<HeldPoint>            held_points;
+    std::unique_ptr<RigidMotions>     held;
+    double                            largest_gap = 0.;
   };
 } // namespace lumbricus
 

@@ -35,6 +35,14 @@ namespace lumbricus
      */
     virtual dealii::Tensor<1, dim>
     direction(const dealii::Point<dim> &X) const = 0;
+
+    /** Whether there are directions at some points only, and direction() is
+     * that of the nearest of them. */
+    virtual bool
+    is_sampled() const
+    {
+      return false;
+    }
   };
 } // namespace lumbricus
 

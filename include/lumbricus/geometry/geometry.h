@@ -113,9 +113,28 @@ namespace lumbricus
     virtual std::vector<std::string>
     boundary_names() const = 0;
 
+    /**
+     * Why no load can act on what is called @p name, as the end of a sentence
+     * about it, where it is a surface inside the body, or partly so; empty for
+     * all other names.
+     */
+    virtual std::string
+    inside_of_body(const std::string & /*name*/) const
+    {
+      return "";
+    }
+
     /** Empty for a full cross-section. Their ids follow those of the names. */
     virtual std::vector<SymmetryPlane>
     symmetry_planes() const = 0;
+
+    /** What to set so that the body has no planes of symmetry, a sentence for
+     * messages. */
+    virtual std::string
+    way_without_symmetry() const
+    {
+      return "Compute the whole body, without this plane.";
+    }
 
     /**
      * How many times the mesh fits into the whole body: 1 for a full, 2 for

@@ -17,8 +17,8 @@ namespace lumbricus
    * it, as the end of a sentence about its file; empty if it can be used.
    *
    * Looks for cells that are folded (turned ones have to be turned back
-   * before), faces of more than two cells, vertices at the same place, and
-   * parts that are not joined.
+   * before) or there twice, faces of more than two cells, vertices at the same
+   * place, touching_parts(), and parts that share no faces.
    */
   std::string
   what_is_wrong(const std::vector<dealii::Point<dim>>    &vertices,

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
+#include <vector>
 
 namespace lumbricus
 {
@@ -25,6 +27,32 @@ namespace lumbricus
         cell.vertices[dealii::GeometryInfo<dim>::face_to_cell_vertices(f, v)];
     std::sort(key.begin(), key.end());
     return key;
+  }
+
+  /** A face as one of its cells has it. */
+  struct FaceOfCell
+  {
+    FaceKey      key;  ///< the same from both sides
+    unsigned int cell; ///< which cell
+    unsigned int face; ///< which of its faces, in deal.II's numbering
+  };
+
+  /** Those of all cells, the same faces side by side. */
+  inline std::vector<FaceOfCell>
+  sorted_faces(const std::vector<dealii::CellData<dim>> &cells)
+  {
+    std::vector<FaceOfCell> faces;
+    faces.reserve(6 * cells.size());
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      for (unsigned int f = 0; f < 6; ++f)
+        faces.push_back({face_key(cells[c], f), c, f});
+    std::sort(faces.begin(),
+              faces.end(),
+              [](const FaceOfCell &a, const FaceOfCell &b) {
+                return std::tie(a.key, a.cell, a.face) <
+                       std::tie(b.key, b.cell, b.face);
+              });
+    return faces;
   }
 } // namespace lumbricus
 

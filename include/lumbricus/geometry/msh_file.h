@@ -28,12 +28,26 @@ namespace lumbricus
       unsigned int tag;
     };
 
+    /** What is no quadrilateral of four nodes, in a physical surface. */
+    struct OtherFace
+    {
+      /** Three of its corners, by their numbers in MshFile::vertices. */
+      std::array<unsigned int, 3> corners;
+      /** That of the physical surface. */
+      unsigned int tag;
+      /** What it is, in the plural. */
+      std::string kind;
+    };
+
     /** Those of the hexahedra only. */
     std::vector<dealii::Point<dim>> vertices;
     /** Hexahedra in deal.II's numbering; the material id is the tag. */
     std::vector<dealii::CellData<dim>> cells;
     /** Quadrilaterals that are in a physical surface. */
     std::vector<Face> faces;
+    /** Other elements that are in a physical surface; a vertex that is none of
+     * a hexahedron has the number dealii::numbers::invalid_unsigned_int. */
+    std::vector<OtherFace> other_faces;
 
     /** From a tag to its name. */
     std::map<unsigned int, std::string> volume_names;

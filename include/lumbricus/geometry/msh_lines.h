@@ -3,6 +3,7 @@
 #define lumbricus_geometry_msh_lines_h
 
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -35,18 +36,49 @@ namespace lumbricus
     std::string
     trimmed() const;
 
+    /** As much of it as a message takes, in quotation marks. */
+    std::string
+    shown() const;
+
     /** The line up to its first blank. */
     std::string
     first_word() const;
 
     /** The next number in the line. */
-    template <typename T>
-    T
-    get();
+    double
+    get_number();
+
+    /** The next number, an integer. */
+    int
+    get_integer();
 
     /** The next number, which counts or numbers something. */
     std::size_t
     get_count();
+
+    /** Throws where the line has more in it. */
+    void
+    need_end_of_line();
+
+    /** From the line "$Name" of a section, which may be there once, to its
+     * first line. */
+    void
+    begin_section(const std::string &name);
+
+    /** To the line "$EndName", which has to be the next. */
+    void
+    end_section(const std::string &name);
+
+    /** Whether there was a begin_section() of that name. */
+    bool
+    had_section(const std::string &name) const;
+
+    /** Throws where as many @p what have been read up to this line as the
+     * section has not said. */
+    void
+    check_count(const std::string &what,
+                const std::size_t  read,
+                const std::size_t  said) const;
 
     /** The message is that the mesh file so-and-so @p what. */
     [[noreturn]] void
@@ -57,25 +89,18 @@ namespace lumbricus
     fail_in_line(const std::string &what) const;
 
   private:
+    /** The next word, as a number of this type. */
+    template <typename T>
+    T
+    get();
+
     std::ifstream      in;
     const std::string  begin;
     std::string        line;
     std::istringstream words;
-    std::size_t        number = 0;
+    std::size_t           number = 0;
+    std::set<std::string> sections;
   };
-
-
-
-  template <typename T>
-  T
-  MshLines::get()
-  {
-    T value;
-    if (!(words >> value))
-      fail_in_line("'" + trimmed() + "', has no number where one belongs. " +
-                   how_to_write);
-    return value;
-  }
 } // namespace lumbricus
 
 #endif

@@ -11,13 +11,13 @@ namespace lumbricus
   /**
    * Give the faces of @p mesh, whose cells are those of @p file, the meaning of
    * the physical surfaces they are in: boundaries, planes of symmetry, and
-   * those of @p round_surfaces. Throws ExcInput.
+   * the round surfaces of @p choices. Throws ExcInput.
    */
   void
-  name_boundaries(const MshFile                  &file,
-                  const std::vector<std::string> &round_surfaces,
-                  const MeshMessages             &messages,
-                  NamedMesh                      &mesh);
+  name_boundaries(const MshFile          &file,
+                  const NamedMeshChoices &choices,
+                  const MeshMessages     &messages,
+                  NamedMesh              &mesh);
 } // namespace lumbricus
 
 #endif

@@ -21,9 +21,11 @@ namespace lumbricus
     std::vector<std::string> liquids = {"liquid"};
     /** See TissueName::wall_layer. */
     std::vector<std::string> wall_layers = {"wall"};
-    /** The names of physical surfaces that are round about the x axis, and stay
-     * so under refinement. */
+    /** The names of physical surfaces that are round about an axis, and stay so
+     * under refinement. */
     std::vector<std::string> round_surfaces = {};
+    /** That axis, as RoundAxis reads it. */
+    std::string round_axis = "x";
     /** What coordinates in the file are multiplied by. */
     double scale = 1.;
 
@@ -57,6 +59,9 @@ namespace lumbricus
 
     /** Of all faces at the boundary. */
     std::map<FaceKey, dealii::types::boundary_id> boundary_ids;
+    /** Physical surfaces of the body that are no boundary, or not all of them,
+     * and where they are, as the end of a sentence about the boundary. */
+    std::map<std::string, std::string> inner_surfaces;
     /** The faces in what the user calls round surfaces. */
     std::set<FaceKey> round_faces;
 

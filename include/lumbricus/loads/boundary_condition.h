@@ -21,7 +21,7 @@ namespace lumbricus
     dealii::Tensor<1, dim> N; ///< outward normal at rest
     dealii::Tensor<1, dim> u; ///< displacement [mm]
     dealii::Tensor<2, dim> F; ///< deformation gradient
-    double                 t; ///< time
+    LoadTime               t; ///< time
   };
 
 
@@ -58,7 +58,9 @@ namespace lumbricus
     virtual void
     initialize(const std::string &name) = 0;
 
-    /** All expressions, tried at the start over the time of the run. */
+    /** All expressions, tried at the start over the time of the run. Those of a
+     * condition that acts on the surface are looked at between load steps
+     * too. */
     virtual std::vector<Expression>
     expressions() const = 0;
 

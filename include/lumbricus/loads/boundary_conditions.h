@@ -2,6 +2,7 @@
 #ifndef lumbricus_loads_boundary_conditions_h
 #define lumbricus_loads_boundary_conditions_h
 
+#include <lumbricus/core/load_curve.h>
 #include <lumbricus/core/named_sections.h>
 #include <lumbricus/core/registry.h>
 #include <lumbricus/geometry/geometry.h>
@@ -73,6 +74,20 @@ namespace lumbricus
     try_expressions(
       const dealii::parallel::TriangulationBase<dim> &triangulation,
       const std::vector<double>                      &times) const;
+
+    /** How many there are. */
+    unsigned int
+    n_conditions() const;
+
+    /** Number @p i of n_conditions(), in the order of their names. */
+    const NamedCondition &
+    condition(const unsigned int i) const;
+
+    /** All loads and prescribed displacements over time; the same on all
+     * ranks. */
+    std::vector<LoadCurve>
+    load_curves(
+      const dealii::parallel::TriangulationBase<dim> &triangulation) const;
 
     /** The conditions that act on boundary @p id. */
     std::vector<const BoundaryCondition *>

@@ -60,6 +60,15 @@ namespace lumbricus
     /** The shear modulus mu at zero strain [N/mm^2]. */
     virtual double
     shear_modulus() const = 0;
+
+    /**
+     * Multiply the stiffness by @p factor. Before the parameters are declared
+     * this changes their defaults: a liquid's are those of a very soft rubber.
+     * Where a law does not do it, a liquid of it has to be given its stiffness.
+     */
+    virtual void
+    scale_stiffness(const double /*factor*/)
+    {}
   };
 } // namespace lumbricus
 

@@ -5,6 +5,8 @@
 #include <lumbricus/discretization/cell_key.h>
 #include <lumbricus/discretization/mixed_space.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <array>
 #include <map>
 #include <utility>

@@ -4,6 +4,8 @@
 
 #include <lumbricus/discretization/cell_unknowns.h>
 
+#include <deal.II/base/types.h>
+
 #include <memory>
 #include <vector>
 

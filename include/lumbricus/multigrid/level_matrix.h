@@ -4,7 +4,9 @@
 
 #include <lumbricus/discretization/cell_unknowns.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
+#include <deal.II/base/types.h>
 
 #include <map>
 #include <memory>

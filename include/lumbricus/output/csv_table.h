@@ -19,9 +19,11 @@ namespace lumbricus
   class CsvTable
   {
   public:
-    /** Start the file @p name with a line of column names, or go on with it
-     * where the folder says so. Collective. */
-    CsvTable(const RunFolder                &folder,
+    /** The file @p name, which the first flush() starts with a line of column
+     * names, unless the folder says that it goes on. Before
+     * RunFolder::begin(). Throws ExcInput, see RunFolder::claim().
+     * Collective. */
+    CsvTable(RunFolder                      &folder,
              const std::string              &name,
              const std::vector<std::string> &columns,
              const MPI_Comm                  comm);
@@ -35,26 +37,40 @@ namespace lumbricus
     void
     end_row();
 
-    /** Its name in the folder and its length [bytes], on rank 0. */
-    std::pair<std::string, std::uintmax_t>
-    name_and_size() const;
+    /** Its name in the folder and what there is of it, on rank 0. */
+    std::pair<std::string, Fingerprint>
+    name_and_content() const;
 
     /**
      * Bring the rows made since the last call to disk, all at once. Throws
-     * ExcSolveFailed on all ranks where that is not possible. Collective.
+     * ExcSolveFailed on all ranks where that is not possible, or where the
+     * file is not as long as the last call has left it. Collective.
      */
     void
     flush();
 
   private:
+    /** Add to the file. @return why that is not possible, or "". */
+    std::string
+    append(const std::string &rows) const;
+
+    const RunFolder   &folder;
     const std::string  name;
     const std::string  file_name;
     const std::size_t  n_columns;
     const MPI_Comm     comm;
     const bool         writes;
+    bool               started   = false;
     std::size_t        n_entries = 0;
+    GrowingFingerprint content; ///< of the file
     std::ostringstream pending;
   };
+
+
+
+  /** @p text as an entry of a table: in quotes where it needs them. */
+  std::string
+  csv_text(const std::string &text);
 
 
 

@@ -4,6 +4,7 @@
 
 #include <lumbricus/discretization/cell_fields.h>
 #include <lumbricus/output/csv_table.h>
+#include <lumbricus/output/nearest_point.h>
 
 #include <deal.II/base/point.h>
 
@@ -34,15 +35,22 @@ namespace lumbricus
   class Probes
   {
   public:
-    /** Find the cells; the points have to pass check(). Collective. */
+    /** Find the cells; the points have to pass check() on the first mesh.
+     * Collective. */
     Probes(const std::vector<dealii::Point<dim>> &points,
-           const RunFolder                       &folder,
+           RunFolder                             &folder,
            const MixedSpace                      &space,
            const CellFields                      &cell_fields);
 
-    /** Throw ExcInput for a point outside the body, on all ranks. Collective.
+    /**
+     * A point that is not in the body stands for the nearest point of the body
+     * if that is no further than a tenth of the longest edge of the cell it is
+     * in: curved surfaces are not where formulas say. Throws ExcInput for
+     * others, on all ranks.
+     * @return what to tell the user about those that are not in the body, in
+     * lines. Collective.
      */
-    static void
+    static std::string
     check(const std::vector<dealii::Point<dim>> &points,
           const MixedSpace                      &space);
 
@@ -64,21 +72,10 @@ namespace lumbricus
     write(const State &state);
 
   private:
-    /** Where a point lies, on the rank that has it. */
-    struct Place
-    {
-      dealii::Triangulation<dim>::active_cell_iterator cell;
-      dealii::Point<dim>                               unit_point;
-      bool                                             mine = false;
-    };
-
-    static Place
-    find(const dealii::Point<dim> &point, const MixedSpace &space);
-
     const std::vector<dealii::Point<dim>> points;
     const MixedSpace                     &space;
     const CellFields                     &cell_fields;
-    std::vector<Place>                    places;
+    std::vector<NearestPoint>             places;
     std::unique_ptr<CsvTable>             table;
   };
 } // namespace lumbricus

@@ -17,18 +17,19 @@ namespace lumbricus
 {
   /**
    * Everything a run leaves on disk: segments.csv, resets.csv, points.csv,
-   * steps.csv, newton.csv and mesh.csv with every step, VTU files of some
-   * steps, and of the last good state in any case.
+   * reactions.csv, steps.csv, newton.csv and mesh.csv with every step, VTU
+   * files of some steps, and of the last good state in any case.
    */
   class Results
   {
   public:
     /**
-     * Start the tables in @p folder, or go on with them; VTU files follow every
-     * @p vtu_every steps, 0 for the last only. Throws ExcInput for a probe
-     * point outside the body. Collective.
+     * Claim tables and pictures in @p folder, before RunFolder::begin(); VTU
+     * files follow every @p vtu_every steps, 0 for the last only. Throws
+     * ExcInput for a probe point outside the body, and for files in the folder
+     * that no run has written. Collective.
      */
-    Results(const RunFolder                       &folder,
+    Results(RunFolder                             &folder,
             const MixedSpace                      &space,
             const ShapeCache                      &shapes,
             const Anatomy                         &anatomy,
@@ -53,7 +54,8 @@ namespace lumbricus
     void
     note(RunProgress &progress) const;
 
-    /** Go on where @p progress was noted. */
+    /** Go on where @p progress was noted; pictures of what came after are
+     * removed. After RunFolder::begin(). Collective. */
     void
     continue_after(const RunProgress &progress);
 
@@ -67,6 +69,9 @@ namespace lumbricus
 
     void
     write_resets(const StepRecord &step);
+
+    void
+    write_reactions(const StepRecord &step);
 
     void
     write_steps(const StepRecord &step);
@@ -85,6 +90,7 @@ namespace lumbricus
 
     CsvTable   segments;
     CsvTable   resets;
+    CsvTable   reactions;
     CsvTable   steps;
     CsvTable   newton;
     CsvTable   mesh;

@@ -2,6 +2,7 @@
 #ifndef lumbricus_output_step_record_h
 #define lumbricus_output_step_record_h
 
+#include <lumbricus/discretization/external_forces.h>
 #include <lumbricus/solvers/reset_iteration.h>
 
 #include <cstddef>
@@ -58,6 +59,8 @@ namespace lumbricus
     std::vector<bool> relaxed;
     /** Of the load step; without solves for the state of rest. */
     ResetIteration::Report report;
+    /** Of all loads and supports after it; empty for the state of rest. */
+    std::vector<ExternalForce> external_forces;
     /** The adaptations of the mesh after it. */
     std::vector<AdaptationRecord> adaptations;
 

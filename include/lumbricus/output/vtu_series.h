@@ -22,8 +22,10 @@ namespace lumbricus
   public:
     /**
      * All of these are kept by reference; nothing is written before write().
+     * Before RunFolder::begin(). Throws ExcInput, see RunFolder::claim().
+     * Collective.
      */
-    VtuSeries(const RunFolder  &folder,
+    VtuSeries(RunFolder        &folder,
               const MixedSpace &space,
               const Anatomy    &anatomy);
 
@@ -36,7 +38,13 @@ namespace lumbricus
     const std::vector<std::pair<double, std::string>> &
     files() const;
 
-    /** Go on after these files. */
+    /** The name of the picture @p number, from 0, in the folder: that which
+     * files() has. */
+    static std::string
+    file_name(const unsigned int number);
+
+    /** Go on after these files; those of the run that came after them are
+     * removed. After RunFolder::begin(). Collective. */
     void
     continue_after(const std::vector<std::pair<double, std::string>> &files);
 

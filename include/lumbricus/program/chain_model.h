@@ -4,11 +4,14 @@
 
 #include <lumbricus/checkpoint/checkpoint.h>
 #include <lumbricus/discretization/assembler.h>
+#include <lumbricus/discretization/external_forces.h>
 #include <lumbricus/program/run_parameters.h>
 #include <lumbricus/solvers/equilibrium.h>
 
 #include <deal.II/base/timer.h>
 #include <deal.II/distributed/tria.h>
+
+#include <vector>
 
 namespace lumbricus
 {
@@ -47,6 +50,16 @@ namespace lumbricus
      */
     ResetIteration::Report
     solve(State &state);
+
+    /** The forces of all loads and supports at @p state, which solve() has
+     * found. Collective. */
+    std::vector<ExternalForce>
+    forces_on_body(const State &state) const;
+
+    /** The same with the loads taken at @p t, whatever the time of @p state,
+     * and with Newton's method beginning with @p guess. */
+    ResetIteration::Report
+    solve(State &state, const LoadTime &t, const Vector &guess);
 
     /** Before a load step from @p state: see ResetIteration::relax_mesh(). */
     LiquidMesh::Relaxation

@@ -10,6 +10,10 @@
 
 #include <deal.II/base/timer.h>
 
+#include <memory>
+#include <set>
+#include <string>
+
 namespace lumbricus
 {
   /**
@@ -32,15 +36,24 @@ namespace lumbricus
     describe();
 
     /**
-     * Compute the run, from @p checkpoint on where there is one, and write its
-     * results to @p folder; @p resolved_parameters are for its checkpoints.
-     * Throws ExcSolveFailed and ExcInterrupted, with the last good state on
-     * disk.
+     * Read the state of @p checkpoint, where there is one, and find out whether
+     * results can be written to @p folder, which is kept by reference, and
+     * whether those up to the checkpoint are as they were. Throws ExcInput.
+     * After setup() and before RunFolder::begin(). Collective.
      */
     void
-    run(RunFolder         &folder,
-        const std::string &resolved_parameters,
-        const Checkpoint  *checkpoint);
+    prepare(RunFolder &folder, const Checkpoint *checkpoint);
+
+    /**
+     * Compute the run, from @p checkpoint on where there is one, and write its
+     * results to @p folder; @p request is for its checkpoints. All of these are
+     * those of prepare(). After RunFolder::begin(). Throws ExcSolveFailed and
+     * ExcInterrupted, with the last good state on disk.
+     */
+    void
+    run(RunFolder        &folder,
+        const RunRequest &request,
+        const Checkpoint *checkpoint);
 
     /** Whether there is a state on disk that run() would leave as the last good
      * one. */
@@ -52,7 +65,6 @@ namespace lumbricus
     void
     take_steps(State                       &state,
                StepRecord                  &step,
-               Results                     &results,
                const std::function<void()> &save);
 
     /** Save, and where that is not possible say so and go on. */
@@ -61,25 +73,37 @@ namespace lumbricus
 
     /** @return what to remember besides the state. */
     RunProgress
-    progress(const State      &state,
-             const StepRecord &step,
-             const Results    &results) const;
+    progress(const State &state, const StepRecord &step) const;
 
-    /** Go on from a checkpoint. */
+    /** Go on from a checkpoint, whose state is @p state. */
     void
     go_on_from(const Checkpoint &checkpoint,
-               State            &state,
-               StepRecord       &step,
-               Results          &results);
+               const State      &state,
+               StepRecord       &step);
 
     /** Take load step @p number, as long as converges. Throws ExcSolveFailed.
      */
     StepRecord
     advance(State &state, const unsigned int number);
 
+    /** Try the load step of @p record from @p state to time @p to. Throws
+     * ExcNotConverged. */
+    void
+    take_step(State &state, StepRecord &record, const double to);
+
+    /** Go over @p jump, right after @p state, in the load step of @p record.
+     * Throws ExcSolveFailed. */
+    void
+    take_jump(const LoadCurves::Jump &jump, State &state, StepRecord &record);
+
+    /** Say where the first step ends earlier so as not to miss a change of the
+     * datum of @p division. */
+    void
+    say_divided(const LoadCurves::Division &division, const double planned);
+
     /** Adapt the mesh to @p state, which has converged. */
     void
-    adapt(State &state, StepRecord &step, Results &results);
+    adapt(State &state, StepRecord &step);
 
     void
     log_where_time_went();
@@ -103,12 +127,20 @@ namespace lumbricus
     Log           &log;
     const MPI_Comm comm;
 
-    dealii::Timer       run_timer;
-    double              seconds_before_restart = 0.;
-    dealii::TimerOutput timer;
-    ChainModel          model;
-    RunWatch            watch;
-    bool                begun = false;
+    dealii::Timer            run_timer;
+    double                   seconds_before_restart = 0.;
+    dealii::TimerOutput      timer;
+    ChainModel               model;
+    RunWatch                 watch;
+    std::unique_ptr<Results> results;
+    State                    first_state; ///< of this part of the run
+    bool                     begun = false;
+
+    /** Whose changes divide steps, of what that was said. */
+    std::set<std::string> said_to_divide;
+
+    /** What to say about points that are not in the body. */
+    std::string point_notes;
   };
 } // namespace lumbricus
 

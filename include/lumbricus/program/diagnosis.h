@@ -9,13 +9,16 @@
 namespace lumbricus
 {
   /**
-   * In words, why no load step leads on from @p state, which is in equilibrium:
-   * a limit point of the loads, a bifurcation (buckling), or, where the body is
-   * stable, cells that have lost their shape or something else. Loads are those
-   * that act after another @p step of time. Collective.
+   * In words, why no load step leads on from @p state, which is in equilibrium
+   * with the loads of @p now, towards those of @p next: a limit point of the
+   * loads, a bifurcation (buckling), or, where the body is stable, cells that
+   * have lost their shape or something else. Collective.
    */
   std::string
-  diagnose(ChainModel &model, const State &state, const double step);
+  diagnose(ChainModel     &model,
+           const State    &state,
+           const LoadTime &now,
+           const LoadTime &next);
 } // namespace lumbricus
 
 #endif

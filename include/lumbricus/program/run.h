@@ -28,7 +28,7 @@ namespace lumbricus
   void
   run(const CommandLine &command_line, const MPI_Comm comm);
 
-  /** Say what was thrown and end all ranks. */
+  /** Say what was thrown and end all ranks; that memory has ended is no bug. */
   void
   abort_on_bug(const std::exception &exception, const MPI_Comm comm);
 } // namespace lumbricus

@@ -6,17 +6,20 @@
 #include <lumbricus/adaptivity/mesh_refinement.h>
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/checkpoint/checkpoint_schedule.h>
+#include <lumbricus/core/load_curves.h>
 #include <lumbricus/core/load_stepping.h>
 #include <lumbricus/discretization/interface_coupling.h>
 #include <lumbricus/loads/boundary_conditions.h>
 #include <lumbricus/output/probes.h>
 #include <lumbricus/program/stability_watch.h>
+#include <lumbricus/program/symmetry_check.h>
 #include <lumbricus/program/unit_check.h>
 #include <lumbricus/solvers/linear_solver.h>
 #include <lumbricus/solvers/predictor.h>
 #include <lumbricus/solvers/reset_iteration.h>
 
 #include <string>
+#include <vector>
 
 namespace lumbricus
 {
@@ -44,13 +47,22 @@ namespace lumbricus
     void
     initialize();
 
+    /** The times at which expressions are tried: 101, from 0 to the end. */
+    std::vector<double>
+    times_to_try() const;
+
     /**
-     * Try all expressions on the mesh, at 101 times of the run. Throws
-     * ExcInput. Collective.
+     * Try all expressions on the mesh, at times_to_try(). Throws ExcInput.
+     * Collective.
      */
     void
     try_expressions(
       const dealii::parallel::TriangulationBase<dim> &triangulation) const;
+
+    /** Let load steps miss no change of what the muscles, loads and supports
+     * on the mesh do over time. */
+    void
+    follow_loads(const dealii::parallel::TriangulationBase<dim> &triangulation);
 
     std::string          title;               ///< a line for the log
     UnitCheck            unit_check;          ///< entry Units
@@ -59,7 +71,9 @@ namespace lumbricus
     Adaptivity           adaptivity;          ///< section Adaptivity
     InterfaceCoupling    interface_coupling;  ///< section Interface
     BoundaryConditions   boundary_conditions; ///< section Boundary conditions
+    SymmetryCheck        symmetry_check;      ///< section Boundary conditions
     LoadStepping         load_stepping;       ///< section Time
+    LoadCurves           load_curves;         ///< section Time
     CheckpointSchedule   checkpoint_schedule; ///< section Checkpoints
     ResetIteration       reset_iteration;     ///< section Reset
     Newton               newton;              ///< section Newton

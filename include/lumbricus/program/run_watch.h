@@ -66,6 +66,7 @@ namespace lumbricus
 
     LinearSolverStatistics counted; ///< up to the last iteration
     std::set<unsigned int> folded;  ///< segments there was a warning of
+    bool unbalanced = false;        ///< whether there was one of the loads
   };
 } // namespace lumbricus
 

@@ -32,24 +32,24 @@ namespace lumbricus
     void
     reinit();
 
-    /** Set the time, what @p solution lacks of the displacements prescribed
-     * then, and renew the interface. */
+    /** Set the time, and what @p solution lacks of the displacements prescribed
+     * then. start_from() has to follow. */
     void
-    set_time(const double t, const Vector &solution);
+    set_time(const LoadTime &t, const Vector &solution);
 
     /** Let the linear solver start anew, as it does after a restart. */
     void
     forget_factors();
 
-    /** Where liquid slips along the wall, let the normals be those at
-     * @p solution. */
+    /** Where liquid slips along the wall, count the slip from @p solution:
+     * before each solve, and before linearise() without one. */
     void
-    renew_interface(const Vector &solution);
+    start_from(const Vector &solution);
 
     /**
      * Whether a node is farther from where it was than the body at rest is
-     * long. A load step that does this has found another equilibrium, to which
-     * nothing leads.
+     * long, apart from what all nodes move on the average. A load step that
+     * does this has found another equilibrium, to which nothing leads.
      */
     bool
     leaps(const Vector &from, const Vector &to) const;
@@ -80,6 +80,10 @@ namespace lumbricus
     void
     reinit_solvers();
 
+    /** Let the constraints be those at @p x, where they follow it. */
+    void
+    follow(const Vector &x);
+
     const MixedSpace    &space;
     const ShapeCache    &shapes;
     const Anatomy       &anatomy;
@@ -88,15 +92,18 @@ namespace lumbricus
     LinearSolver        &linear_solver;
     dealii::TimerOutput &timer;
 
-    double            time              = 0.;
+    LoadTime          time;
     bool              prescribed_is_due = false;
     double            body_volume       = 0.;
     double            length            = 1.;
     double            least_force       = 0.;
     double            extent            = 1.; // in lengths
-    std::vector<bool> is_pressure;
-    Vector            r;
-    CellVector        increment;
+    /** Of the owned unknowns: a component of u, or dim for p. */
+    std::vector<unsigned char> component;
+    Vector                     r;
+    /** Where slip is counted from. */
+    Vector     start;
+    CellVector increment;
   };
 } // namespace lumbricus
 

@@ -4,6 +4,8 @@
 
 #include <lumbricus/discretization/cell_unknowns.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <vector>
 
 namespace lumbricus

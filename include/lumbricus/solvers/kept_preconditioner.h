@@ -6,6 +6,8 @@
 #include <lumbricus/solvers/factor_age.h>
 #include <lumbricus/solvers/linear_solver.h>
 
+#include <deal.II/base/types.h>
+
 
 namespace lumbricus
 {
@@ -15,8 +17,9 @@ namespace lumbricus
    * as the iterations it costs are fewer than a new one is worth (FactorAge).
    *
    * Where even a new one does not do, the next more robust kind of inverse is
-   * taken, and used until the number of
-   * unknowns is another one.
+   * taken, and used until the number of unknowns is another one. Whatever
+   * solve() throws, the next solve() begins with a new inverse of the kind it
+   * has come to.
    */
   class KeptPreconditioner : public LinearSolver
   {
@@ -40,6 +43,10 @@ namespace lumbricus
     make(const Tangent &tangent, const unsigned int kind) = 0;
 
   private:
+    /** Let go of the inverse. */
+    void
+    drop();
+
     /** @return whether it can be done for what the tangent is now. */
     bool
     factor();
@@ -59,8 +66,9 @@ namespace lumbricus
     dealii::types::global_dof_index n_unknowns      = 0;
     unsigned int                    kind            = 0;
     InverseKind                     current;
-    bool                            factored = false;
-    FactorAge                       age;
+    /** Then there is an inverse. */
+    bool      factored = false;
+    FactorAge age;
   };
 } // namespace lumbricus
 

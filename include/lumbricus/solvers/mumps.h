@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace lumbricus
@@ -107,6 +108,11 @@ namespace lumbricus
 
     void
     run(const int job);
+
+    /** Throw where run() has failed at @p what: ExcNotConverged for a singular
+     * matrix, or ExcSolveFailed. Collective. */
+    void
+    check(const std::string &what) const;
 
     const MPI_Comm            comm;
     const bool                symmetric;

@@ -22,6 +22,14 @@ namespace lumbricus
       double force = 0.;
       /** Violated volume constraint relative to the volume of the body. */
       double volume = 0.;
+      /** What constraints that change with x are violated by, relative to the
+       * size of the body. */
+      double gap = 0.;
+      /** The force that rounding makes of a solution, in the same measure:
+       * nothing less can be asked for. */
+      double force_rounding = 0.;
+      /** The same of the volume. */
+      double volume_rounding = 0.;
       /** False where the residual does not exist (an inverted element). */
       bool valid = true;
 
@@ -29,7 +37,7 @@ namespace lumbricus
       double
       merit() const
       {
-        return force + volume;
+        return force + volume + gap;
       }
     };
 
@@ -101,6 +109,15 @@ namespace lumbricus
     report_to(const std::function<void(const NewtonIteration &)> &new_listener);
 
   private:
+    /** The tolerance of the force, or what rounding leaves where that is
+     * more. */
+    double
+    least_force(const NonlinearProblem::Residual &residual) const;
+
+    /** The same of the volume. */
+    double
+    least_volume(const NonlinearProblem::Residual &residual) const;
+
     /** How accurately to solve the linear system at a residual, when it was
      * @p last_merit one iteration earlier (0: there was none). */
     double

@@ -40,9 +40,10 @@ namespace lumbricus
     bool
     ready() const;
 
-    /** Set the solution of @p state to what is expected at its time. */
-    void
-    predict(State &state) const;
+    /** The solution that is expected at the time of @p state; without a
+     * history that of @p state. */
+    Vector
+    predict(const State &state) const;
 
   private:
     unsigned int                          order = 1;

@@ -50,9 +50,12 @@ namespace lumbricus
       n_newton_iterations() const;
     };
 
-    /** Solve for @p state at its time. Throws ExcNotConverged. Collective. */
+    /** Solve for the state at the time of @p state, coming from @p state and
+     * beginning with @p guess, on which the result does not depend. Throws
+     * ExcNotConverged. Collective. */
     Report
     solve(State               &state,
+          const Vector        &guess,
           Equilibrium         &equilibrium,
           const Newton        &newton,
           ReferenceField      &references,

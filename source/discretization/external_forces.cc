@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/element_kernel.h>
+#include <lumbricus/discretization/external_forces.h>
+#include <lumbricus/discretization/surface_tractions.h>
+
+#include <deal.II/grid/filtered_iterator.h>
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <map>
+
+namespace lumbricus
+{
+  namespace
+  {
+    // One entry for everything that can act, without forces.
+    std::vector<ExternalForce>
+    everything_that_acts(const Geometry           &geometry,
+                         const BoundaryConditions &conditions,
+                         const Supports           &supports)
+    {
+      std::vector<ExternalForce> all;
+      const auto                 add = [&](const ExternalForce::Kind kind,
+                           const std::string        &name) {
+        ExternalForce entry;
+        entry.kind = kind;
+        entry.name = name;
+        all.push_back(entry);
+      };
+      for (unsigned int i = 0; i < conditions.n_conditions(); ++i)
+        add(ExternalForce::Kind::condition, conditions.condition(i).name);
+      for (const SymmetryPlane &plane : geometry.symmetry_planes())
+        add(ExternalForce::Kind::symmetry,
+            std::string("symmetry ") + "xyz"[plane.direction]);
+      for (const Supports::HeldPoint &point : supports.minimal_support())
+        {
+          add(ExternalForce::Kind::minimal_support, "minimal support");
+          all.back().X         = point.X;
+          all.back().direction = point.direction;
+        }
+      return all;
+    }
+
+
+
+    void
+    sum_over_ranks(std::vector<ExternalForce> &all, const MPI_Comm comm)
+    {
+      std::vector<double> sums;
+      for (const ExternalForce &entry : all)
+        {
+          for (unsigned int c = 0; c < dim; ++c)
+            sums.insert(sums.end(), {entry.force[c], entry.moment[c]});
+          sums.push_back(entry.magnitude);
+        }
+      dealii::Utilities::MPI::sum(sums, comm, sums);
+      const double *sum = sums.data();
+      for (ExternalForce &entry : all)
+        {
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              entry.force[c]  = *sum++;
+              entry.moment[c] = *sum++;
+            }
+          entry.magnitude = *sum++;
+        }
+    }
+  } // namespace
+
+
+
+  void
+  ExternalForce::add(const dealii::Point<dim>     &x,
+                     const dealii::Tensor<1, dim> &f)
+  {
+    force += f;
+    moment += dealii::cross_product_3d(x, f);
+    magnitude += f.norm();
+  }
+
+
+
+  ExternalForce &
+  ExternalForce::operator+=(const ExternalForce &other)
+  {
+    force += other.force;
+    moment += other.moment;
+    magnitude += other.magnitude;
+    return *this;
+  }
+
+
+
+  std::vector<ExternalForce>
+  external_forces(const MixedSpace         &space,
+                  const ShapeCache         &shapes,
+                  const Anatomy            &anatomy,
+                  const BoundaryConditions &conditions,
+                  const ReferenceField     &references,
+                  const Supports           &supports,
+                  const Vector             &solution,
+                  const double              t)
+  {
+    auto all = everything_that_acts(anatomy.geometry(), conditions, supports);
+    const unsigned int n_conditions = conditions.n_conditions();
+    const unsigned int n_planes = anatomy.geometry().symmetry_planes().size();
+    std::map<const BoundaryCondition *, unsigned int> number;
+    for (unsigned int i = 0; i < n_conditions; ++i)
+      number[&*conditions.condition(i).type] = i;
+
+    const Vector      relevant = space.with_ghosts(solution);
+    const auto        links    = supports.links();
+    std::vector<bool> held(space.locally_relevant.n_elements(), false);
+    for (const Supports::Prescribed &entry : supports.prescribed_unknowns())
+      held[space.locally_relevant.index_within_set(entry.index)] = true;
+
+    Vector                 nodal(space.locally_owned, space.communicator());
+    const unsigned int     n_dofs = space.fe.n_dofs_per_cell();
+    dealii::Vector<double> of_cell(n_dofs);
+    std::vector<dealii::types::global_dof_index> indices(n_dofs);
+    ElementKernel                                kernel;
+    dealii::FEFaceValues<dim>                    face_values(space.mapping,
+                                          space.fe,
+                                          space.face_quadrature,
+                                          SurfaceNodes::update_flags());
+    unsigned int cell_index = 0;
+    for (const auto &cell : space.dof_handler.active_cell_iterators() |
+                              dealii::IteratorFilters::LocallyOwnedCell())
+      {
+        const unsigned int i = cell_index++;
+        cell->get_dof_indices(indices);
+        const bool supported =
+          std::any_of(indices.begin(), indices.end(), [&](const auto index) {
+            return held[space.locally_relevant.index_within_set(index)] ||
+                   links.is_constrained(index);
+          });
+        if (!supported && !cell->at_boundary())
+          continue;
+
+        kernel.read(space, cell, relevant, indices);
+        of_cell = 0.;
+        if (supported)
+          {
+            kernel.evaluate(
+              shapes.cell(i),
+              shapes.pressure_modes(),
+              anatomy.tissue(Region::of(cell->material_id()).tissue).law(),
+              references.cell(i),
+              nullptr);
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+                of_cell(space.displacement_dof[c][n]) = kernel.force[c][n];
+          }
+        for_each_traction(space,
+                          conditions,
+                          cell,
+                          kernel.u,
+                          t,
+                          face_values,
+                          [&](const BoundaryCondition &condition,
+                              const SurfaceNodes      &nodes,
+                              const SurfaceResponse   &response) {
+                            const auto f = nodes.JxW * response.T;
+                            all[number.at(&condition)].add(nodes.x, f);
+                            for (unsigned int c = 0; c < dim; ++c)
+                              for (unsigned int n = 0; n < MixedSpace::n_nodes;
+                                   ++n)
+                                of_cell(space.displacement_dof[c][n]) -=
+                                  nodes.values[n] * f[c];
+                          });
+        if (supported)
+          links.distribute_local_to_global(of_cell, indices, nodal);
+      }
+    nodal.compress(dealii::VectorOperation::add);
+
+    for (const Supports::Prescribed &entry : supports.prescribed_unknowns())
+      {
+        if (!space.locally_owned.is_element(entry.index))
+          continue;
+        dealii::Point<dim>     x = entry.X;
+        dealii::Tensor<1, dim> r;
+        for (unsigned int c = 0; c < dim; ++c)
+          x[c] += relevant(entry.node[c]);
+        r[entry.component] = nodal(entry.index);
+        if (entry.by == Supports::By::condition)
+          all[number.at(entry.condition)].add(x, r);
+        else if (entry.by == Supports::By::symmetry)
+          all[n_conditions + entry.number].add(x, r);
+        else
+          all[n_conditions + n_planes + entry.number].add(x, r);
+      }
+    sum_over_ranks(all, space.communicator());
+    return all;
+  }
+} // namespace lumbricus

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/expression.h>
+#include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/program/load_balance.h>
+
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/filtered_iterator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace lumbricus
+{
+  using dealii::Tensor;
+
+  namespace
+  {
+    // Loads on curved surfaces balance as well as meshes and quadrature do.
+    constexpr double refused = 1e-2, mentioned = 1e-4;
+
+    const std::string advice =
+      "The minimal support only keeps a body in its place whose loads are in "
+      "balance: its points would be pulled out, the more the finer the mesh. "
+      "Balance the loads, or hold the body by a condition of type "
+      "'displacement' or 'spring'.";
+
+
+
+    // A quadrature point of a surface with a traction.
+    struct LoadPoint
+    {
+      unsigned int condition;
+      SurfacePoint point;
+      double       JxW;
+    };
+
+
+
+    std::vector<LoadPoint>
+    load_points(const MixedSpace &space, const BoundaryConditions &conditions)
+    {
+      std::vector<LoadPoint>    points;
+      dealii::FEFaceValues<dim> face_values(space.mapping,
+                                            space.fe,
+                                            space.face_quadrature,
+                                            dealii::update_quadrature_points |
+                                              dealii::update_normal_vectors |
+                                              dealii::update_JxW_values);
+      for (const auto &cell : space.dof_handler.active_cell_iterators() |
+                                dealii::IteratorFilters::LocallyOwnedCell())
+        for (const auto &face : cell->face_iterators())
+          for (unsigned int i = 0; i < conditions.n_conditions(); ++i)
+            {
+              const NamedCondition &load = conditions.condition(i);
+              if (!face->at_boundary() ||
+                  face->boundary_id() != load.boundary ||
+                  !load.type->acts_on_surface())
+                continue;
+              face_values.reinit(mesh_cell(cell), face);
+              for (const unsigned int q :
+                   face_values.quadrature_point_indices())
+                {
+                  SurfacePoint point;
+                  point.X = face_values.quadrature_point(q);
+                  point.N = face_values.normal_vector(q);
+                  point.F = dealii::unit_symmetric_tensor<dim, double>();
+                  points.push_back({i, point, face_values.JxW(q)});
+                }
+            }
+      return points;
+    }
+
+
+
+    double
+    norm(const RigidMotions::Row &row)
+    {
+      double square = 0.;
+      for (const double entry : row)
+        square += entry * entry;
+      return std::sqrt(square);
+    }
+
+
+
+    // Three entries of a row, times a factor; without what is rounding only.
+    std::string
+    vector_text(const RigidMotions::Row &row,
+                const unsigned int       first,
+                const double             factor)
+    {
+      std::ostringstream out;
+      out.precision(3);
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const double entry = row[first + c];
+          out << (c == 0 ? "(" : ", ")
+              << (std::abs(entry) <= 1e-6 * norm(row) ? 0. : factor * entry);
+        }
+      out << ")";
+      return out.str();
+    }
+  } // namespace
+
+
+
+  void
+  check_load_balance(const MixedSpace          &space,
+                     const BoundaryConditions  &conditions,
+                     const Supports            &supports,
+                     const std::vector<double> &all_times)
+  {
+    const RigidMotions &held = supports.held_without_minimal_support();
+    if (held.all_held())
+      return;
+    const MPI_Comm comm   = space.communicator();
+    auto           points = load_points(space, conditions);
+
+    // As many times as take no time.
+    const double n_points =
+      dealii::Utilities::MPI::max(static_cast<double>(points.size()), comm);
+    constexpr double    most_evaluations = 1e5;
+    std::vector<double> times            = all_times;
+    if (n_points * times.size() > most_evaluations)
+      {
+        const std::size_t stride =
+          std::min(all_times.size() / 4,
+                   static_cast<std::size_t>(
+                     std::ceil(n_points * all_times.size() /
+                               most_evaluations)));
+        times.clear();
+        for (std::size_t i = 0; i < all_times.size(); i += stride)
+          times.push_back(all_times[i]);
+      }
+
+    // For every time: the resultant, the sum of magnitudes, and what follows
+    // the deformation; then the magnitude of every condition.
+    constexpr unsigned int n_of_row = 2 * dim;
+    const unsigned int     n        = conditions.n_conditions();
+    const std::size_t      block    = n_of_row + 2 + n;
+    std::vector<double>    sums(block * times.size(), 0.);
+    for (LoadPoint &load : points)
+      for (std::size_t k = 0; k < times.size(); ++k)
+        {
+          double         *sum = sums.data() + k * block;
+          SurfaceResponse response;
+          load.point.t = times[k];
+          conditions.condition(load.condition)
+            .type->surface(load.point, response);
+          const auto row = held.row(load.point.X, load.JxW * response.T);
+          for (unsigned int i = 0; i < n_of_row; ++i)
+            sum[i] += row[i];
+          sum[n_of_row] += norm(row);
+          if (response.depends_on_shape())
+            sum[n_of_row + 1] += norm(row);
+          sum[n_of_row + 2 + load.condition] += norm(row);
+        }
+    dealii::Utilities::MPI::sum(sums, comm, sums);
+
+    std::size_t       worst      = 0;
+    double            worst_norm = 0.;
+    RigidMotions::Row worst_row  = {};
+    for (std::size_t k = 0; k < times.size(); ++k)
+      {
+        const double     *sum = sums.data() + k * block;
+        RigidMotions::Row row;
+        std::copy(sum, sum + n_of_row, row.begin());
+        const auto rest = held.unheld(row);
+        if (norm(rest) > refused * sum[n_of_row] && sum[n_of_row + 1] == 0. &&
+            norm(rest) > worst_norm)
+          {
+            worst      = k;
+            worst_norm = norm(rest);
+            worst_row  = rest;
+          }
+      }
+    if (worst_norm == 0.)
+      return;
+
+    std::ostringstream message;
+    message << "The loads are not in balance. At time " << times[worst];
+    bool first = true;
+    for (unsigned int i = 0; i < n; ++i)
+      if (sums[worst * block + n_of_row + 2 + i] > 0.)
+        {
+          message << (first ? " '" : ", '") << conditions.condition(i).name
+                  << "'";
+          first = false;
+        }
+    message << " add up to the force "
+            << vector_text(worst_row, 0, 1.) << " N and the moment "
+            << vector_text(worst_row, dim, held.L) << " N mm about "
+            << point_text(held.X0)
+            << " that no other support holds. " << advice;
+    AssertThrow(false, ExcInput(message.str()));
+  }
+
+
+
+  std::string
+  imbalance(const std::vector<ExternalForce> &forces)
+  {
+    const ExternalForce *largest = nullptr;
+    double               loads   = 0.;
+    Tensor<1, dim>       sum;
+    for (const ExternalForce &entry : forces)
+      {
+        sum += entry.force;
+        if (entry.kind != ExternalForce::Kind::minimal_support)
+          loads += entry.magnitude;
+        else if (largest == nullptr ||
+                 entry.force.norm() > largest->force.norm())
+          largest = &entry;
+      }
+    // Not what is only due to a residual that is not quite zero.
+    if (largest == nullptr || !(largest->force.norm() > mentioned * loads) ||
+        !(largest->force.norm() > 10. * sum.norm()) || loads == 0.)
+      return "";
+
+    std::ostringstream message;
+    message << std::setprecision(3) << "the loads are not in balance: at "
+            << point_text(largest->X) << " the minimal support pulls with "
+            << largest->force[largest->direction] << " N along "
+            << "xyz"[largest->direction] << ", "
+            << 100. * largest->force.norm() / loads
+            << " % of all loads. reactions.csv has all of its forces. "
+            << advice;
+    return message.str();
+  }
+} // namespace lumbricus

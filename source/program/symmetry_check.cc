@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/expression.h>
+#include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/program/symmetry_check.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/filtered_iterator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace lumbricus
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  namespace
+  {
+    // As much as this, relative to the whole, goes without saying.
+    constexpr double tolerance = 1e-4;
+    // More points than these of one kind on one rank are not looked at again
+    // and again, at all times.
+    constexpr std::size_t most_points = 200;
+
+    // A plane of symmetry x_d = c.
+    struct Plane
+    {
+      unsigned int               direction;
+      dealii::types::boundary_id boundary;
+      double                     c;
+
+      std::string
+      name() const
+      {
+        std::ostringstream out;
+        out << "the plane of symmetry "
+            << "xyz"[direction] << " = " << c;
+        return out.str();
+      }
+    };
+
+
+
+    // A point of a plane in a tissue with muscles.
+    struct MusclePoint
+    {
+      Point<dim>                         X;
+      unsigned int                       segment;
+      const std::vector<const Muscle *> *muscles;
+      std::vector<Tensor<1, dim>>        mixed; ///< e . M t, of every muscle
+      std::vector<double>                angle; ///< with the plane [degrees]
+      std::vector<double>                slack; ///< that sampling may need
+    };
+
+
+
+    // Faces, every so many, so that they are not too many.
+    template <typename Entry>
+    void
+    thin_out(std::vector<Entry> &entries)
+    {
+      const std::size_t stride = 1 + entries.size() / most_points;
+      for (std::size_t i = 0; i * stride < entries.size(); ++i)
+        std::swap(entries[i], entries[i * stride]);
+      entries.resize((entries.size() + stride - 1) / stride);
+    }
+
+
+
+    template <typename Function>
+    void
+    for_each_boundary_face(const MixedSpace &space, const Function &function)
+    {
+      for (const auto &cell : space.dof_handler.active_cell_iterators() |
+                                dealii::IteratorFilters::LocallyOwnedCell())
+        if (cell->at_boundary())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary())
+              function(cell, face);
+    }
+
+
+
+    std::vector<Plane>
+    planes_of(const Geometry &geometry, const MixedSpace &space)
+    {
+      std::vector<Plane> planes;
+      for (const SymmetryPlane &plane : geometry.symmetry_planes())
+        {
+          double c = std::numeric_limits<double>::max();
+          for_each_boundary_face(
+            space, [&](const auto & /*cell*/, const auto &face) {
+              if (face->boundary_id() == plane.boundary)
+                c = std::min(c, face->vertex(0)[plane.direction]);
+            });
+          c = dealii::Utilities::MPI::min(c, space.communicator());
+          // Rounding of the mesh.
+          if (std::abs(c) < 1e-12 * geometry.characteristic_length())
+            c = 0.;
+          planes.push_back({plane.direction, plane.boundary, c});
+        }
+      return planes;
+    }
+
+
+
+    // By how much 3/2 f x f may be off on the plane where f is that of a sample
+    // at X: by half of what it changes up to the next one. The way out of the
+    // cell is @p depth.
+    double
+    slack_of_sample(const Muscle         &muscle,
+                    const Point<dim>     &X,
+                    const Tensor<1, dim> &depth)
+    {
+      const auto f      = muscle.fibre_direction(X);
+      double     change = 0.;
+      for (const double part : {0.125, 0.25, 0.5, 1.})
+        if (change == 0.)
+          {
+            const auto g = muscle.fibre_direction(X + part * depth);
+            change =
+              (dealii::outer_product(f, f) - dealii::outer_product(g, g))
+                .norm();
+          }
+      return 0.5 * 1.5 * change;
+    }
+
+
+
+    // Set what there is of the muscles at a point: of the entries of 3/2 f x f
+    // those that mix e and the plane have to vanish. @return whether all are
+    // symmetric however much they contract; ExcInput where fibres have no
+    // direction.
+    bool
+    look_at_fibres(MusclePoint          &point,
+                   const unsigned int    d,
+                   const Tensor<1, dim> &depth)
+    {
+      bool symmetric = true;
+      for (const Muscle *muscle : *point.muscles)
+        {
+          const auto f     = muscle->fibre_direction(point.X);
+          auto       mixed = 1.5 * f[d] * f;
+          mixed[d]         = 0.;
+          const double slack =
+            muscle->fibres_are_sampled() ?
+              slack_of_sample(*muscle, point.X, depth) :
+              0.;
+          symmetric = symmetric && mixed.norm() <= tolerance + slack;
+          point.mixed.push_back(mixed);
+          point.slack.push_back(slack);
+          point.angle.push_back(std::asin(std::min(1., std::abs(f[d]))) * 180. /
+                                dealii::numbers::PI);
+        }
+      return symmetric;
+    }
+
+
+
+    std::vector<MusclePoint>
+    doubtful_points(const Plane      &plane,
+                    const MixedSpace &space,
+                    const Anatomy    &anatomy)
+    {
+      std::vector<MusclePoint>  points;
+      dealii::FEFaceValues<dim> face_values(space.mapping,
+                                            space.fe,
+                                            space.face_quadrature,
+                                            dealii::update_quadrature_points);
+      for_each_boundary_face(space, [&](const auto &cell, const auto &face) {
+        const Region region = Region::of(cell->material_id());
+        if (face->boundary_id() != plane.boundary ||
+            anatomy.muscles_of(region.tissue).empty())
+          return;
+        Tensor<1, dim> depth;
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const double distance =
+              cell->vertex(v)[plane.direction] - plane.c;
+            if (std::abs(distance) > std::abs(depth[plane.direction]))
+              depth[plane.direction] = distance;
+          }
+        face_values.reinit(mesh_cell(cell), face);
+        for (const unsigned int q : face_values.quadrature_point_indices())
+          try
+            {
+              MusclePoint point;
+              point.X                  = face_values.quadrature_point(q);
+              point.X[plane.direction] = plane.c;
+              point.segment = region.segment + 1;
+              point.muscles = &anatomy.muscles_of(region.tissue);
+              if (!look_at_fibres(point, plane.direction, depth))
+                points.push_back(point);
+            }
+          catch (const ExcInput &)
+            {
+              // No direction right there: cells are asked elsewhere.
+            }
+      });
+      thin_out(points);
+      return points;
+    }
+
+
+
+    // What is wrong with the muscles at a plane; empty where nothing is.
+    std::string
+    asymmetric_muscles(const Plane               &plane,
+                       const MixedSpace          &space,
+                       const Anatomy             &anatomy,
+                       const std::vector<double> &times)
+    {
+      for (const MusclePoint &point : doubtful_points(plane, space, anatomy))
+        for (const double t : times)
+          {
+            Tensor<1, dim>     sum;
+            double             all = 0., slack = 0.;
+            unsigned int       n = 0;
+            std::ostringstream who;
+            who.precision(3);
+            for (unsigned int m = 0; m < point.muscles->size(); ++m)
+              {
+                const Muscle &muscle = *(*point.muscles)[m];
+                const double  lambda =
+                  muscle.active_stretch(t, point.segment, point.X);
+                const double strain = std::log(lambda);
+                sum += strain * point.mixed[m];
+                all += std::abs(strain);
+                slack += std::abs(strain) * point.slack[m];
+                if (std::abs(strain) * point.mixed[m].norm() > tolerance * all)
+                  who << (n++ == 0 ? "'" : ", '") << muscle.name()
+                      << "' (fibres at " << point.angle[m]
+                      << " degrees to it, active stretch " << lambda << ")";
+              }
+            if (!(sum.norm() > tolerance * all + slack))
+              continue;
+            std::ostringstream message;
+            message << (n == 1 ? "The muscle " : "The muscles ") << who.str()
+                    << (n == 1 ? " is" : " together are")
+                    << " not symmetric to " << plane.name()
+                    << ": at time " << t << " at its point "
+                    << point_text(point.X)
+                    << ", where fibres have to be at 0 or 90 degrees to it, or "
+                       "crossed with the same active stretch. "
+                    << anatomy.geometry().way_without_symmetry()
+                    << " Where the other half is to have the mirror image of "
+                       "these fibres, set 'Boundary conditions/Check symmetry' "
+                       "to false.";
+            return message.str();
+          }
+      return "";
+    }
+
+
+
+    // The faces of a boundary that end at a plane: where their nodes are.
+    struct EdgeFace
+    {
+      std::vector<SurfacePoint> nodes;
+      std::vector<bool>         on_plane;
+    };
+
+
+
+    std::vector<EdgeFace>
+    faces_at_plane(const Plane                     &plane,
+                   const dealii::types::boundary_id id,
+                   const MixedSpace                &space,
+                   const double                     length)
+    {
+      const dealii::QGaussLobatto<dim - 1> nodes(3);
+      dealii::FEFaceValues<dim>            face_values(space.mapping,
+                                            space.fe,
+                                            nodes,
+                                            dealii::update_quadrature_points |
+                                              dealii::update_normal_vectors);
+      std::vector<EdgeFace>                faces;
+      for_each_boundary_face(space, [&](const auto &cell, const auto &face) {
+        if (face->boundary_id() != id)
+          return;
+        const auto on_plane = [&](const Point<dim> &X) {
+          return std::abs(X[plane.direction] - plane.c) < 1e-6 * length;
+        };
+        bool any = false;
+        for (unsigned int v = 0; v < 4; ++v)
+          any = any || on_plane(face->vertex(v));
+        if (!any)
+          return;
+        face_values.reinit(mesh_cell(cell), face);
+        EdgeFace at_plane;
+        for (const unsigned int q : face_values.quadrature_point_indices())
+          {
+            SurfacePoint point;
+            point.X = face_values.quadrature_point(q);
+            point.N = face_values.normal_vector(q);
+            point.F = dealii::unit_symmetric_tensor<dim, double>();
+            point.t = 0.;
+            at_plane.nodes.push_back(point);
+            at_plane.on_plane.push_back(on_plane(point.X));
+          }
+        faces.push_back(at_plane);
+      });
+      thin_out(faces);
+      return faces;
+    }
+
+
+
+    Tensor<1, dim>
+    traction(const BoundaryCondition &condition,
+             SurfacePoint             point,
+             const double             t)
+    {
+      SurfaceResponse response;
+      point.t = t;
+      condition.surface(point, response);
+      return response.T;
+    }
+
+
+
+    std::string
+    asymmetric_load(const NamedCondition      &load,
+                    const Plane               &plane,
+                    const MixedSpace          &space,
+                    const Anatomy             &anatomy,
+                    const std::vector<double> &times,
+                    const bool                 tractions_too)
+    {
+      const BoundaryCondition &condition = *load.type;
+      const unsigned int       d         = plane.direction;
+      const double length  = anatomy.geometry().characteristic_length();
+      const bool   pulls   = tractions_too && condition.acts_on_surface();
+      const bool   is_held = condition.prescribed_components()[d];
+      if (!pulls && !is_held)
+        return "";
+
+      for (const EdgeFace &face :
+           faces_at_plane(plane, load.boundary, space, length))
+        for (const double t : times)
+          for (unsigned int q = 0; q < face.nodes.size(); ++q)
+            {
+              if (!face.on_plane[q])
+                continue;
+              const SurfacePoint &point = face.nodes[q];
+              std::ostringstream  what;
+              if (is_held)
+                {
+                  const double u =
+                    condition.prescribed_displacement(d, point.X, t);
+                  if (std::abs(u) > 1e-6 * length)
+                    what << "its displacement along the normal, u" << "xyz"[d]
+                         << " = " << u << " mm, has to be zero there";
+                }
+              if (pulls)
+                {
+                  // A traction along the surface's normal is as symmetric as
+                  // the surface.
+                  const auto   T = traction(condition, point, t);
+                  const double off =
+                    std::min(std::abs(T[d]),
+                             std::abs((T - (T * point.N) * point.N)[d]));
+                  double most = 0.;
+                  if (off > 0.)
+                    for (const SurfacePoint &node : face.nodes)
+                      most =
+                        std::max(most, traction(condition, node, t).norm());
+                  if (off > tolerance * most)
+                    what << "its traction along the normal, T" << "xyz"[d]
+                         << " = " << T[d]
+                         << " N/mm^2, has to be zero there";
+                }
+              if (what.str().empty())
+                continue;
+              std::ostringstream message;
+              message << "The boundary condition '" << load.name
+                      << "' is not symmetric to " << plane.name()
+                      << ": at time " << t << " at " << point_text(point.X)
+                      << " " << what.str() << ". "
+                      << anatomy.geometry().way_without_symmetry();
+              return message.str();
+            }
+      return "";
+    }
+  } // namespace
+
+
+
+  void
+  SymmetryCheck::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Boundary conditions");
+    prm.add_parameter("Check symmetry",
+                      required,
+                      "Whether to refuse muscles and tractions that do not go "
+                      "on smoothly in the mirror image of the body at a plane "
+                      "of symmetry, such as helical fibres at a quarter of a "
+                      "cross-section. 'false' where that mirror image is "
+                      "meant: the fibres of a bipennate muscle.");
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  SymmetryCheck::check(const MixedSpace          &space,
+                       const Anatomy             &anatomy,
+                       const BoundaryConditions  &conditions,
+                       const std::vector<double> &times) const
+  {
+    std::string message;
+    for (const Plane &plane : planes_of(anatomy.geometry(), space))
+      try
+        {
+          if (required && message.empty())
+            message = asymmetric_muscles(plane, space, anatomy, times);
+          for (unsigned int i = 0;
+               i < conditions.n_conditions() && message.empty();
+               ++i)
+            message = asymmetric_load(
+              conditions.condition(i), plane, space, anatomy, times, required);
+        }
+      catch (const ExcInput &exception)
+        {
+          message = plain_message(exception);
+        }
+    throw_on_all_ranks<ExcInput>(message, space.communicator());
+  }
+} // namespace lumbricus

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A folder for temporary files of its own for what the tests start.
+
+Open MPI keeps its session in a folder that all runs of a user share. Where one
+run ends, and removes it, while another starts, that one does not find what it
+has just made: two of 2,800 starts failed so. The path is short, as sockets want
+it: they lie in that folder."""
+import atexit
+import os
+import shutil
+import tempfile
+
+# Where pytest itself leaves its files: there they can be looked at afterwards.
+tempfile.gettempdir()
+os.environ["TMPDIR"] = tempfile.mkdtemp(prefix="t", dir="/tmp")
+atexit.register(shutil.rmtree, os.environ["TMPDIR"], ignore_errors=True)

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""parameters.prm of a run is as good as the input it was made from. It has the
+section of everything that the run chose, and so no choice could be changed over
+it: `lumbricus results/parameters.prm --set "Linear solver/Method=direct"`, and
+the same at --restart, were refused because of the section of the other
+method."""
+import pathlib
+
+import pytest
+from lumbricus_run import outline, run_well
+from mistakes import ManyRuns
+
+HERE = pathlib.Path(__file__).resolve().parent
+BLOCK = HERE / "block.prm"
+SHORT = ["Time/End=0.01", "Time/First step=0.01", "Adaptivity/Every=1"]
+UNUSED = "Not used, because of --set: "
+
+runs = ManyRuns()
+
+
+@pytest.fixture(scope="module")
+def resolved(tmp_path_factory):
+    """parameters.prm of a run, in a folder of its own."""
+    folder = tmp_path_factory.mktemp("resolved")
+    run_well(BLOCK, folder / "out", SHORT)
+    return folder / "out" / "parameters.prm"
+
+
+def choices():
+    """(parameter, name) for all that is registered: a choice lists in its
+    documentation the names of the sections beside it."""
+    sections, words, choice = [], "", None
+    parameters, names = {}, {}
+    for line in map(str.strip, runs.call("--parameters").stdout.splitlines()):
+        if line.startswith("#"):
+            words += " " + line[1:].strip()
+            continue
+        if line.startswith("subsection "):
+            names.setdefault("/".join(sections), []).append(
+                line[len("subsection "):])
+            sections.append(line[len("subsection "):])
+        elif line == "end":
+            sections.pop()
+        elif line.startswith("set "):
+            name = line[len("set "):].split("=")[0].strip()
+            parameters["/".join([*sections, name])] = words
+        words = ""
+    found = []
+    for parameter, words in parameters.items():
+        section, _, _ = parameter.rpartition("/")
+        found += [(parameter, name) for name in names.get(section, [])
+                  if f"'{name}': " in words]
+    return found
+
+
+CHOICES = choices()
+
+
+def in_block(parameter):
+    """The parameter with the names that the block has."""
+    return parameter.replace("<tissue>", "flesh").replace(
+        "<muscle>", "biceps").replace("<load or support>", "push")
+
+
+def test_all_choices_are_found():
+    assert {"Geometry/Shape", "Tissues/<tissue>/Law", "Muscles/<muscle>/Fibres",
+            "Muscles/<muscle>/Active stretch", "Linear solver/Method",
+            "Boundary conditions/<load or support>/Type", "Adaptivity/Marking",
+            "Adaptivity/Estimator"} <= {
+                parameter for parameter, _ in CHOICES}
+
+
+# What a choice needs that has no default.
+LIQUID = ("'Tissues/liquid/", "'Boundary conditions/wall/Boundary'")
+NEEDS = {
+    "Geometry/Shape=mesh file": ("'Geometry/mesh file/File'",),
+    "Geometry/Shape=segment chain": LIQUID,
+    "Geometry/Shape=open cylinder": LIQUID,
+    "Muscles/biceps/Fibres=file": ("'Muscles/biceps/file/File'",),
+}
+
+
+@pytest.mark.parametrize("parameter, name", CHOICES)
+def test_any_choice_changes_over_a_resolved_file(parameter, name, resolved,
+                                                 tmp_path):
+    """The run goes on, or says what the new choice lacks; its parameters.prm is
+    an input that gives the same run."""
+    setting = f"{in_block(parameter)}={name}"
+    result = runs.run(resolved, tmp_path / "out", [setting])
+    if result.exit_code == 1:
+        assert "not used" not in result.message, result.message
+        assert "unknown" not in result.message, result.message
+        assert any(need in result.message for need in NEEDS.get(
+            setting, (f"/{name}/", f"'{name}'"))), result.message
+        return
+    assert result.exit_code in (0, 2), result.message
+    log = (tmp_path / "out" / "log.txt").read_text()
+    before = outline(resolved.read_text())
+    after = outline((tmp_path / "out/parameters.prm").read_text())
+    assert after[in_block(parameter)] == name
+    assert (UNUSED in log) == (before[in_block(parameter)] != name)
+
+    again = runs.run(tmp_path / "out/parameters.prm", tmp_path / "again")
+    assert again.exit_code == result.exit_code, again.message
+    assert UNUSED not in (tmp_path / "again" / "log.txt").read_text()
+    for table in ("segments.csv", "parameters.prm"):
+        assert (tmp_path / "again" / table).read_bytes() == \
+            (tmp_path / "out" / table).read_bytes()
+
+
+def test_a_restart_may_change_a_choice(tmp_path):
+    """Over the parameters of the checkpoint; what the state hangs on stays."""
+    folder = tmp_path / "out"
+    run_well(BLOCK, folder, ["Time/End=0.5", "Time/First step=0.25",
+                             "Checkpoints/Steps=1",
+                             "Linear solver/Method=kept factor"])
+    whole = (folder / "segments.csv").read_text()
+    result = runs.call("--restart", folder, "--set", "Time/End=1", "--set",
+                       "Linear solver/Method=direct")
+    assert result.returncode == 0, result.stderr
+    assert f"{UNUSED}'Linear solver/kept factor'" in result.stdout
+    values = outline((folder / "parameters.prm").read_text())
+    assert values["Linear solver/Method"] == "direct"
+    assert not any(name.startswith("Linear solver/kept factor")
+                   for name in values)
+    table = (folder / "segments.csv").read_text()
+    assert table.startswith(whole) and len(table) > len(whole)
+
+    result = runs.call("--restart", folder, "--set", "Geometry/Shape=block")
+    assert result.returncode == 1
+    assert "cannot change at a restart" in result.stderr
+
+
+def test_a_section_that_no_choice_takes_stays_a_mistake(resolved, tmp_path):
+    """In a file by hand it is a typing error, whatever the settings say."""
+    case = tmp_path / "case.prm"
+    case.write_text(f"include {resolved}\n"
+                    "subsection Linear solver\n  subsection multigrid\n"
+                    "  end\nend\n")
+    for settings in ([], ["Time/End=2"], ["Linear solver/Method=kept factor"]):
+        result = runs.run(case, tmp_path / "out", settings)
+        assert result.exit_code == 1
+        assert "case.prm, line 3" in result.message
+        assert "'Linear solver/multigrid' is not used" in result.message
