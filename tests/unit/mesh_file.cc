@@ -544,8 +544,12 @@ TEST(MeshFile, LargeMeshesAreCheckedFast)
 {
   std::vector<Point<3>> nodes;
   std::vector<MshGroup> groups = {{3, "wall"}};
-  const unsigned int    n      = 40;
-  const auto            node   = [n](const unsigned int i,
+#ifdef DEBUG
+  const unsigned int n = 16;
+#else
+  const unsigned int n = 40;
+#endif
+  const auto node = [n](const unsigned int i,
                         const unsigned int j,
                         const unsigned int k) {
     return (i * (n + 1) + j) * (n + 1) + k;
