@@ -202,17 +202,10 @@ def test_other_fibres_that_are_asked_for(study, tmp_path):
 
 
 def test_a_mesh_out_of_a_pipe(study, tmp_path):
-    """It is not there any more when the run goes on."""
+    """Every rank would read a part of it, and a restart nothing."""
     folder = shutil.copytree(study[0], tmp_path / "study")
     os.mkfifo(folder / "pipe")
-    process_id = os.fork()
-    if process_id == 0:
-        (folder / "pipe").write_text(mesh(2, 1))
-        os._exit(0)
     result = many.call("case.prm", "-o", "piped", "--set",
                        "Geometry/mesh file/File=pipe", folder=folder)
-    os.waitpid(process_id, 0)
-    assert result.returncode == 0, result.stderr
-    result = restart(folder, "piped")
-    assert result.exit_code == 1
-    assert "was no regular file" in said(result)
+    assert result.returncode == 1
+    assert "'pipe' cannot be read" in result.stderr
