@@ -108,6 +108,14 @@ namespace lumbricus
 
 
 
+  bool
+  is_interrupted()
+  {
+    return signal_received != 0;
+  }
+
+
+
   void
   note_closed_output()
   {

@@ -258,7 +258,10 @@ namespace lumbricus
   Results::write_reactions(const StepRecord &step)
   {
     if (step.external_forces.empty())
-      return;
+      {
+        reactions.flush(); // its columns: a restart goes on with every table
+        return;
+      }
     const auto write_row = [&](const std::string   &kind,
                                const std::string   &name,
                                const ExternalForce &entry) {

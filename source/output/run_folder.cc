@@ -197,9 +197,6 @@ namespace lumbricus
     std::string reason;
     for (const auto &[name, part] : sizes)
       {
-        // A table without any row yet has no file, and begins later.
-        if (part.size == 0)
-          continue;
         GrowingFingerprint content;
         if (is_first && reason.empty())
           {

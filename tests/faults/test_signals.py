@@ -3,6 +3,7 @@
 checkpoint. Ctrl-C without mpirun lost all since the last one, and so did
 '| head -1' and a terminal that was closed; before the first step none was
 noted. (SIGTERM and SIGUSR1 under mpirun: see test_restart.)"""
+import fcntl
 import os
 import signal
 import subprocess
@@ -168,6 +169,25 @@ def test_an_output_that_is_closed(tmp_path):
     goes_on(tmp_path)
 
 
+def test_an_output_that_nobody_takes(tmp_path):
+    """lumbricus case.prm | less, and no key is pressed; or Ctrl-S. The run
+    waits for its reader, but ends where it is told to: it was stuck in the
+    writing of a line, under mpirun after Ctrl-C too."""
+    process = start(tmp_path, STEPS)
+    fcntl.fcntl(process.stdout, fcntl.F_SETPIPE_SZ, 4096)
+
+    def is_held_up():
+        before = rows(tmp_path)
+        time.sleep(0.5)
+        return before > 4 and rows(tmp_path) == before
+    wait_for(is_held_up, process)
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(timeout=60) == 4
+    assert "Interrupted by SIGTERM" in (tmp_path / "log.txt").read_text()
+    assert checkpoints(tmp_path) == [rows(tmp_path) - 2]
+    goes_on(tmp_path)
+
+
 def test_an_output_that_is_full(tmp_path):
     """Nobody has closed it: log.txt has all of it."""
     with open("/dev/full", "w") as full:
@@ -195,7 +215,7 @@ def test_ctrl_c_under_mpirun(tmp_path):
               "odls_base_sigkill_timeout", "3", "-np", "2")
     process = start(tmp_path, STEPS, mpirun=mpirun)
     wait_for(lambda: rows(tmp_path) > 4, process)
-    process.send_signal(signal.SIGINT)
+    os.killpg(process.pid, signal.SIGINT) # as a terminal does
     process.communicate(timeout=120)
     assert process.returncode != 0
     assert len(checkpoints(tmp_path)) == 1

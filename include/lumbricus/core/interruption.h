@@ -31,6 +31,11 @@ namespace lumbricus
   void
   ignore_closed_output();
 
+  /** Whether one of these signals, or a closed output, was noted here: a rank
+   * may know it before others do. */
+  bool
+  is_interrupted();
+
   /** Take note that nobody reads the standard output any more. */
   void
   note_closed_output();

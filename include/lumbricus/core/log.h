@@ -3,6 +3,7 @@
 #define lumbricus_core_log_h
 
 #include <lumbricus/core/interruption.h>
+#include <lumbricus/core/standard_output.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -12,7 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iostream>
+#include <ostream>
 #include <sstream>
 #include <string>
 
@@ -116,15 +117,11 @@ namespace lumbricus
     void
     say(const std::string &text)
     {
-      errno = 0;
-      if (!(std::cout << text << std::flush))
-        {
-          if (errno == EPIPE)
-            note_closed_output();
-          else
-            lost = true;
-        }
-      std::cout.clear();
+      const int error = standard_output.write(text);
+      if (error == EPIPE)
+        note_closed_output();
+      else if (error != 0 && error != ETIMEDOUT)
+        lost = true;
     }
 
     /** Whether standard output is a terminal. Under mpirun it always looks like
@@ -137,13 +134,14 @@ namespace lumbricus
              std::getenv("PMI_SIZE") == nullptr;
     }
 
-    const bool    active;
-    const bool    verbose;
-    const bool    on_terminal;
-    const bool    shows_progress;
-    std::ofstream file;
-    std::string   shown;
-    bool          lost = false; ///< something that was to be said
+    const bool     active;
+    const bool     verbose;
+    const bool     on_terminal;
+    const bool     shows_progress;
+    StandardOutput standard_output;
+    std::ofstream  file;
+    std::string    shown;
+    bool           lost = false; ///< something that was to be said
   };
 } // namespace lumbricus
 
