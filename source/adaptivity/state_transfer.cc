@@ -21,14 +21,13 @@ namespace lumbricus
     using Values       = std::vector<double>;
     using CellIterator = dealii::Triangulation<dim>::cell_iterator;
 
-    // Where the nine scalars of u, u_ref and u_vol begin in a CellState.
+    // Where the components of all displacements begin.
     std::vector<unsigned int>
-    scalars()
+    scalar_begins(const CellLayout &layout)
     {
       std::vector<unsigned int> begins;
       for (unsigned int c = 0; c < dim; ++c)
-        for (const unsigned int begin :
-             {0u, CellState::rest_begin, CellState::volume_begin})
+        for (const unsigned int begin : layout.displacement_begins())
           begins.push_back(begin + c * MixedSpace::n_nodes);
       return begins;
     }
@@ -52,21 +51,28 @@ namespace lumbricus
     class FamilyTransfer
     {
     public:
+      explicit FamilyTransfer(const CellLayout &layout)
+        : size(layout.size())
+        , scalars(scalar_begins(layout))
+        , pressures(layout.pressure_begins())
+      {}
+
       std::vector<Values>
       to_children(const Values &parent) const
       {
         const unsigned int n_children =
           dealii::GeometryInfo<dim>::max_children_per_cell;
-        std::vector<Values> children(n_children, Values(CellState::size));
+        std::vector<Values> children(n_children, Values(size));
         for (unsigned int c = 0; c < n_children; ++c)
           {
-            for (const unsigned int begin : scalars())
+            for (const unsigned int begin : scalars)
               multiply(displacement.get_prolongation_matrix(c),
                        &parent[begin],
                        &children[c][begin]);
-            multiply(pressure.get_prolongation_matrix(c),
-                     &parent[CellState::pressure_begin],
-                     &children[c][CellState::pressure_begin]);
+            for (const unsigned int begin : pressures)
+              multiply(pressure.get_prolongation_matrix(c),
+                       &parent[begin],
+                       &children[c][begin]);
           }
         return children;
       }
@@ -74,7 +80,7 @@ namespace lumbricus
       Values
       to_parent(const std::vector<Values> &children) const
       {
-        Values parent(CellState::size);
+        Values parent(size);
         for (unsigned int c = 0; c < children.size(); ++c)
           {
             // A node of the parent is one of each child that it touches.
@@ -82,11 +88,12 @@ namespace lumbricus
             for (unsigned int i = 0; i < injection.m(); ++i)
               for (unsigned int j = 0; j < injection.n(); ++j)
                 if (injection(i, j) > 0.5)
-                  for (const unsigned int begin : scalars())
+                  for (const unsigned int begin : scalars)
                     parent[begin + i] = children[c][begin + j];
-            multiply(pressure.get_restriction_matrix(c),
-                     &children[c][CellState::pressure_begin],
-                     &parent[CellState::pressure_begin]);
+            for (const unsigned int begin : pressures)
+              multiply(pressure.get_restriction_matrix(c),
+                       &children[c][begin],
+                       &parent[begin]);
           }
         return parent;
       }
@@ -94,6 +101,9 @@ namespace lumbricus
     private:
       const dealii::FE_Q<dim>   displacement{MixedSpace::degree};
       const dealii::FE_DGP<dim> pressure{MixedSpace::degree - 1};
+
+      const unsigned int              size;
+      const std::vector<unsigned int> scalars, pressures; ///< where they begin
     };
 
 
@@ -101,13 +111,11 @@ namespace lumbricus
     std::vector<Values>
     read_all(const MixedSpace &space, const State &state)
     {
-      const Vector relevant = space.with_ghosts(state.solution);
-
       std::vector<Values> values(space.triangulation.n_active_cells());
-      CellStateAccess     access(space);
+      CellStateReader     reader(space, state);
       for (const auto &cell : space.dof_handler.active_cell_iterators() |
                                 dealii::IteratorFilters::LocallyOwnedCell())
-        access.read(cell, relevant, state, values[cell->active_cell_index()]);
+        reader.read(cell, values[cell->active_cell_index()]);
       return values;
     }
 
@@ -118,13 +126,16 @@ namespace lumbricus
               const std::vector<Values> &values,
               State                     &state)
     {
-      const double time = state.time;
-      state             = space.initial_state();
-      state.time        = time;
-      CellStateAccess access(space);
+      const double        time = state.time;
+      std::vector<double> past;
+      for (const State::Past &earlier : state.past)
+        past.push_back(earlier.time);
+      state      = space.initial_state(past);
+      state.time = time;
+      CellStateWriter writer(space, state);
       for (const auto &cell : space.dof_handler.active_cell_iterators() |
                                 dealii::IteratorFilters::LocallyOwnedCell())
-        access.write(cell, values[cell->active_cell_index()], state);
+        writer.write(cell, values[cell->active_cell_index()]);
       state.compress();
     }
 
@@ -139,6 +150,8 @@ namespace lumbricus
                                                       hanging_nodes);
       hanging_nodes.close();
       hanging_nodes.distribute(state.solution);
+      for (State::Past &earlier : state.past)
+        hanging_nodes.distribute(earlier.solution);
     }
   } // namespace
 
@@ -150,7 +163,7 @@ namespace lumbricus
               const std::function<void()> &renumber,
               State                       &state)
   {
-    const FamilyTransfer family;
+    const FamilyTransfer family{CellLayout(state)};
     dealii::parallel::distributed::
       CellDataTransfer<dim, dim, std::vector<Values>>
         transfer(

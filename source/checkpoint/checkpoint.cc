@@ -193,7 +193,9 @@ namespace lumbricus
       }
     lines +=
       Manifest::line_of_cells(rank,
-                              triangulation.n_locally_owned_active_cells());
+                              triangulation.n_locally_owned_active_cells(),
+                              cell_record_size(progress.histories.size(),
+                                               progress.past.size()));
     const auto all_lines = dealii::Utilities::MPI::gather(comm, lines);
     reason               = first_message(reason, comm);
 
@@ -352,6 +354,12 @@ namespace lumbricus
     run_progress = reading(Manifest::progress, [&]() {
       return RunProgress::read(texts.progress);
     });
+    AssertThrow(manifest.cell_size ==
+                  cell_record_size(run_progress.histories.size(),
+                                   run_progress.past.size()),
+                ExcDamaged("has cells of " +
+                           std::to_string(manifest.cell_size) +
+                           " bytes, which is not what its state has."));
     run_request.input_files = reading(Manifest::inputs, [&]() {
       return read_input_files(texts.inputs);
     });
@@ -414,7 +422,7 @@ namespace lumbricus
   State
   Checkpoint::read_state(const MixedSpace &space) const
   {
-    State state = space.initial_state();
+    State state = space.initial_state(run_progress.past);
     state.time  = run_progress.time;
 
     // Ranks own contiguous parts of the space-filling curve, then and now: read
@@ -431,7 +439,7 @@ namespace lumbricus
     const std::uintmax_t n_cells =
       std::accumulate(this_rank, n_of_rank.end(), first);
 
-    CellReader     reader(space);
+    CellReader     reader(space, state);
     std::uintmax_t begin = 0;
     for (unsigned int rank = 0; rank < manifest.cells_of_rank.size(); ++rank)
       {
@@ -440,7 +448,7 @@ namespace lumbricus
           {
             std::ifstream in(folder_path + "/" + Manifest::cells(rank),
                              std::ios::binary);
-            reader.read(in, state);
+            reader.read(in);
           }
         begin = end;
       }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/checkpoint/manifest.h>
 #include <lumbricus/core/item_lines.h>
-#include <lumbricus/discretization/state_record.h>
 
 #include <algorithm>
 #include <limits>
@@ -68,10 +67,12 @@ namespace lumbricus
 
 
   std::string
-  Manifest::line_of_cells(const unsigned int rank, const unsigned int n_cells)
+  Manifest::line_of_cells(const unsigned int rank,
+                          const unsigned int n_cells,
+                          const unsigned int cell_size)
   {
     return "cells " + std::to_string(rank) + " " + std::to_string(n_cells) +
-           "\n";
+           " " + std::to_string(cell_size) + "\n";
   }
 
 
@@ -107,6 +108,10 @@ namespace lumbricus
           if (lines.get_count(any_32) != manifest.cells_of_rank.size())
             lines.fail();
           manifest.cells_of_rank.push_back(lines.get_count(any_32));
+          const auto size = lines.get_count(any_32);
+          if (manifest.cells_of_rank.size() > 1 && size != manifest.cell_size)
+            lines.fail();
+          manifest.cell_size = size;
         }
       else if (lines.item() == "file")
         {
@@ -138,7 +143,7 @@ namespace lumbricus
     for (unsigned int rank = 0; rank < manifest.cells_of_rank.size(); ++rank)
       AssertThrow(manifest.files.at(cells(rank)).size ==
                     std::uintmax_t(manifest.cells_of_rank[rank]) *
-                      cell_record_size,
+                      manifest.cell_size,
                   ExcDamaged("has another number of cells than the file '" +
                              cells(rank) + "' has room for."));
     return manifest;

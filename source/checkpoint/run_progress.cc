@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/checkpoint/run_progress.h>
 #include <lumbricus/core/item_lines.h>
+#include <lumbricus/core/nodal_history.h>
 #include <lumbricus/output/vtu_series.h>
 
 #include <cstdint>
@@ -19,6 +20,8 @@ namespace lumbricus
     // More would not be counted on by one.
     constexpr unsigned int most_steps =
       std::numeric_limits<unsigned int>::max() / 2;
+
+    constexpr unsigned int most_past = 100;
 
 
 
@@ -43,6 +46,10 @@ namespace lumbricus
         << "time " << time << "\nstep " << step << "\nstep_size " << step_size
         << "\nelapsed_seconds " << elapsed_seconds << "\nvtu_is_current "
         << vtu_is_current << '\n';
+    for (const std::string &name : histories)
+      out << "history " << name << '\n';
+    for (const double t : past)
+      out << "past " << t << '\n';
     for (const auto &[name, content] : tables)
       out << "table " << content.size << ' ' << content.checksum << ' ' << name
           << '\n';
@@ -81,6 +88,20 @@ namespace lumbricus
             progress.vtu_files.emplace_back(t, name);
             continue;
           }
+        if (item == "history")
+          {
+            const std::string name = lines.get_word();
+            AssertThrow(NodalHistory::names().count(name) > 0,
+                        ExcUnknownItem("history " + name));
+            if (!progress.histories.insert(name).second)
+              lines.fail();
+            continue;
+          }
+        if (item == "past")
+          {
+            progress.past.push_back(lines.get_number(0.));
+            continue;
+          }
         if (item == "time")
           progress.time = lines.get_number(0.);
         else if (item == "step")
@@ -101,6 +122,19 @@ namespace lumbricus
          {"time", "step", "step_size", "elapsed_seconds", "vtu_is_current"})
       AssertThrow(seen.count(item) > 0,
                   ExcDamaged("does not have '" + item + "'."));
+    for (const std::string &name : NodalHistory::names())
+      AssertThrow(progress.histories.count(name) > 0,
+                  ExcDamaged("does not have 'history " + name + "'."));
+    // Times that are not apart would be divided by.
+    double later = progress.time;
+    for (const double t : progress.past)
+      {
+        AssertThrow(t < later,
+                    ExcDamaged("has a past that is not one of its time."));
+        later = t;
+      }
+    AssertThrow(progress.past.size() <= most_past,
+                ExcDamaged("has more of a past than any run."));
     AssertThrow(!progress.vtu_is_current || !progress.vtu_files.empty(),
                 ExcDamaged("does not have the picture of its state."));
     return progress;

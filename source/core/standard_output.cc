@@ -14,11 +14,14 @@
 namespace lumbricus
 {
   // O_NONBLOCK set on the standard output itself would be set for all who share
-  // it, the shell too. Files and sockets are left as they are.
+  // it, the shell too. Files and sockets are left as they are, and so is what
+  // cannot be written: it is not to be opened for that.
   StandardOutput::StandardOutput()
   {
+    const int   mode   = fcntl(STDOUT_FILENO, F_GETFL);
     struct stat status = {};
-    if (fstat(STDOUT_FILENO, &status) == 0 &&
+    if (mode != -1 && (mode & O_ACCMODE) != O_RDONLY &&
+        fstat(STDOUT_FILENO, &status) == 0 &&
         (S_ISFIFO(status.st_mode) || S_ISCHR(status.st_mode)))
       own = open("/proc/self/fd/1",
                  O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/nodal_history.h>
 #include <lumbricus/discretization/mixed_space.h>
 
 #include <deal.II/base/exceptions.h>
@@ -9,6 +10,8 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/grid/filtered_iterator.h>
+
+#include <string>
 
 namespace lumbricus
 {
@@ -111,13 +114,15 @@ namespace lumbricus
 
 
   State
-  MixedSpace::initial_state() const
+  MixedSpace::initial_state(const std::vector<double> &past) const
   {
     State state;
     state.solution.reinit(locally_owned, communicator());
-    for (Vector *vector :
-         {&state.rest_displacement, &state.volume_displacement})
-      vector->reinit(rest_dof_handler.locally_owned_dofs(), communicator());
+    for (const std::string &name : NodalHistory::names())
+      state.histories[name].reinit(rest_dof_handler.locally_owned_dofs(),
+                                   communicator());
+    for (const double t : past)
+      state.past.push_back({t, state.solution});
     return state;
   }
 

@@ -89,6 +89,8 @@ namespace lumbricus
   void
   ReferenceField::update_liquid(const State &state)
   {
+    const Vector &u_ref = rest_displacement.in(state);
+    const Vector &u_vol = volume_displacement.in(state);
     ElementKernel                                rest, volume;
     std::vector<dealii::types::global_dof_index> indices(
       space.rest_fe.n_dofs_per_cell());
@@ -104,8 +106,8 @@ namespace lumbricus
           for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
             {
               const auto index = indices[space.rest_dof[c][n]];
-              rest.u[c][n]     = state.rest_displacement[index];
-              volume.u[c][n]   = state.volume_displacement[index];
+              rest.u[c][n]     = u_ref[index];
+              volume.u[c][n]   = u_vol[index];
             }
         rest.compute_deformation(shapes.cell(i));
         volume.compute_deformation(shapes.cell(i));

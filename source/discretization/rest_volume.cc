@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/rest_volume.h>
+#include <lumbricus/reference_map/fluid_reset.h>
 
 #include <deal.II/grid/filtered_iterator.h>
 
@@ -43,6 +44,7 @@ namespace lumbricus
                const State      &state)
   {
     std::vector<double> volumes(anatomy.geometry().n_segments(), 0.);
+    const Vector       &u_vol = volume_displacement.in(state);
     ElementKernel       kernel;
     for_each_liquid_cell(
       space,
@@ -52,8 +54,7 @@ namespace lumbricus
           const auto        &indices) {
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-            kernel.u[c][n] =
-              state.volume_displacement[indices[space.rest_dof[c][n]]];
+            kernel.u[c][n] = u_vol[indices[space.rest_dof[c][n]]];
         kernel.compute_deformation(shapes.cell(i));
         for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
           volumes[segment] += determinant(kernel.F[q]) * shapes.cell(i).JxW[q];
@@ -72,6 +73,7 @@ namespace lumbricus
                    State                     &state)
   {
     const auto present = rest_volumes(space, shapes, anatomy, state);
+    Vector    &u_vol   = volume_displacement.in(state);
     for_each_liquid_cell(
       space,
       anatomy,
@@ -86,10 +88,10 @@ namespace lumbricus
             {
               const double X     = shapes.node(i, n)[c];
               const auto   index = indices[space.rest_dof[c][n]];
-              const double u     = state.volume_displacement[index];
-              state.volume_displacement[index] = scale * (X + u) - X;
+              const double u     = u_vol[index];
+              u_vol[index]       = scale * (X + u) - X;
             }
       });
-    state.volume_displacement.compress(dealii::VectorOperation::insert);
+    u_vol.compress(dealii::VectorOperation::insert);
   }
 } // namespace lumbricus

@@ -36,14 +36,12 @@ namespace lumbricus
   void
   write_cells(const MixedSpace &space, const State &state, std::ostream &out)
   {
-    const Vector solution = space.with_ghosts(state.solution);
-
-    CellStateAccess     access(space);
+    CellStateReader     reader(space, state);
     std::vector<double> values;
     for (const auto &cell : space.dof_handler.active_cell_iterators() |
                               dealii::IteratorFilters::LocallyOwnedCell())
       {
-        access.read(cell, solution, state, values);
+        reader.read(cell, values);
         const CellKey key = cell_key(cell);
         write_bits(out, key.data(), key.size());
         write_bits(out, values.data(), values.size());
@@ -52,9 +50,9 @@ namespace lumbricus
 
 
 
-  CellReader::CellReader(const MixedSpace &space)
-    : access(space)
-    , values(CellState::size)
+  CellReader::CellReader(const MixedSpace &space, State &state)
+    : writer(space, state)
+    , values(writer.layout.size())
   {
     for (const auto &cell : space.dof_handler.active_cell_iterators() |
                               dealii::IteratorFilters::LocallyOwnedCell())
@@ -64,7 +62,7 @@ namespace lumbricus
 
 
   void
-  CellReader::read(std::istream &in, State &state)
+  CellReader::read(std::istream &in)
   {
     CellKey key;
     while (read_bits(in, key.data(), key.size()) &&
@@ -78,7 +76,7 @@ namespace lumbricus
           finite && std::all_of(values.begin(), values.end(), [](double v) {
             return std::isfinite(v);
           });
-        access.write(found->second, values, state);
+        writer.write(found->second, values);
         missing.erase(found);
         was_read.insert(key);
       }

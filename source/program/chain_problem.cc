@@ -93,7 +93,6 @@ namespace lumbricus
     if (checkpoint != nullptr)
       go_on_from(*checkpoint, state, step);
     model.references.update(state);
-    parameters.predictor.restart(state);
     if (checkpoint == nullptr)
       results->write(state, step);
     begun = true;
@@ -196,10 +195,7 @@ namespace lumbricus
             // digit. Where the clock said so this run is to go on as if there
             // were no clock.
             if (parameters.checkpoint_schedule.due_by_number(step.number))
-              {
-                model.equilibrium.forget_factors();
-                parameters.predictor.restart(state);
-              }
+              model.equilibrium.forget_factors();
           }
       }
   }
@@ -242,6 +238,10 @@ namespace lumbricus
     progress.step            = step.number;
     progress.step_size       = parameters.load_stepping.step();
     progress.elapsed_seconds = step.elapsed_seconds;
+    for (const auto &history : state.histories)
+      progress.histories.insert(history.first);
+    for (const State::Past &earlier : state.past)
+      progress.past.push_back(earlier.time);
     results->note(progress);
     return progress;
   }
@@ -274,10 +274,7 @@ namespace lumbricus
 
     const auto relaxation = model.relax_liquid_mesh(state);
     if (!relaxation.in_segment.empty())
-      {
-        step.relaxed = relaxation.in_segment;
-        parameters.predictor.shift(relaxation.change);
-      }
+      step.relaxed = relaxation.in_segment;
     // Right before a jump.
     std::optional<double> stop;
     while (true)
@@ -295,15 +292,15 @@ namespace lumbricus
           {
             take_step(state, step, division.to);
             if (!goes_on)
-              parameters.predictor.restart(state);
+              state.past.clear();
             return step;
           }
         catch (const ExcNotConverged &exception)
           {
-            // Without the predictor before a shorter step.
-            if (parameters.predictor.ready())
+            // Without extrapolation before a shorter step.
+            if (!state.past.empty())
               {
-                parameters.predictor.restart(state);
+                state.past.clear();
                 continue;
               }
             const std::string why = plain_message(exception);
@@ -350,12 +347,12 @@ namespace lumbricus
     next.time  = to;
     watch.begin_step(step.number, next.time);
     step.report =
-      model.solve(next, next.time, parameters.predictor.predict(next));
+      model.solve(next, next.time, parameters.predictor.predict(state, to));
     step.time   = next.time;
     step.size   = next.time - state.time;
-    state       = next;
+    parameters.predictor.accept(state, next);
+    state = next;
     parameters.load_stepping.accept(step.report.solves.front().newton.size());
-    parameters.predictor.accept(state);
   }
 
 
@@ -376,7 +373,7 @@ namespace lumbricus
       step.relaxed.resize(path.relaxed.size(), false);
     for (unsigned int s = 0; s < path.relaxed.size(); ++s)
       step.relaxed[s] = step.relaxed[s] || path.relaxed[s];
-    parameters.predictor.restart(state);
+    state.past.clear();
   }
 
 
@@ -413,7 +410,7 @@ namespace lumbricus
     if (!any)
       return;
     results->reinit();
-    parameters.predictor.restart(state);
+    state.past.clear();
   }
 
 

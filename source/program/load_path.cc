@@ -29,13 +29,11 @@ namespace lumbricus
     void
     relax(ChainModel        &model,
           State             &state,
-          Predictor         &predictor,
           std::vector<bool> &relaxed)
     {
       const auto relaxation = model.relax_liquid_mesh(state);
       if (relaxation.in_segment.empty())
         return;
-      predictor.shift(relaxation.change);
       relaxed.resize(relaxation.in_segment.size(), false);
       for (unsigned int s = 0; s < relaxed.size(); ++s)
         relaxed[s] = relaxed[s] || relaxation.in_segment[s];
@@ -58,14 +56,14 @@ namespace lumbricus
     // On the way its time is theta, which the predictor goes by.
     State way = state;
     way.time  = 0.;
-    Predictor predictor = model.parameters.predictor;
-    predictor.restart(way);
+    way.past.clear();
+    const Predictor &predictor = model.parameters.predictor;
 
     LoadPathReport path;
     double         part = first_part;
     while (way.time < 1.)
       {
-        relax(model, way, predictor, path.relaxed);
+        relax(model, way, path.relaxed);
         State next = way;
         // Do not leave a tiny part.
         next.time = way.time + part * (1. + 1e-6) < 1. ? way.time + part : 1.;
@@ -73,19 +71,19 @@ namespace lumbricus
           {
             append(model.solve(next,
                                LoadTime::between(from, to, next.time),
-                               predictor.predict(next)),
+                               predictor.predict(way, next.time)),
                    path.report);
+            predictor.accept(way, next);
             way = next;
-            predictor.accept(way);
             ++path.n_parts;
             part *= 1.5;
           }
         catch (const ExcNotConverged &exception)
           {
-            // Without the predictor before a shorter part.
-            if (predictor.ready())
+            // Without extrapolation before a shorter part.
+            if (!way.past.empty())
               {
-                predictor.restart(way);
+                way.past.clear();
                 continue;
               }
             const std::string why  = plain_message(exception);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 namespace lumbricus
 {
@@ -24,6 +25,8 @@ namespace lumbricus
         : refined(refined_cells(model.triangulation))
         , time(state.time)
       {
+        for (const State::Past &earlier : state.past)
+          past.push_back(earlier.time);
         std::ostringstream out;
         write_cells(model.space, state, out);
         cells = out.str();
@@ -37,16 +40,16 @@ namespace lumbricus
         model.number_unknowns();
         model.reinit();
 
-        state      = model.space.initial_state();
+        state      = model.space.initial_state(past);
         state.time = time;
         // Cells may have come to other ranks.
-        CellReader reader(model.space);
+        CellReader reader(model.space, state);
         for (const std::string &of_rank :
              dealii::Utilities::MPI::all_gather(model.space.communicator(),
                                                 cells))
           {
             std::istringstream in(of_rank);
-            reader.read(in, state);
+            reader.read(in);
           }
         state.compress();
         model.references.update(state);
@@ -55,8 +58,9 @@ namespace lumbricus
       const std::set<CellKey> refined;
 
     private:
-      const double time;
-      std::string  cells;
+      const double        time;
+      std::vector<double> past;
+      std::string         cells;
     };
 
 

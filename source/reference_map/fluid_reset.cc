@@ -5,6 +5,11 @@
 
 namespace lumbricus
 {
+  const NodalHistory rest_displacement("u_ref");
+  const NodalHistory volume_displacement("u_vol");
+
+
+
   ReferencePoint
   rest_shape_map(const dealii::Tensor<2, dim> &F_r,
                  const dealii::Tensor<2, dim> &F_v)

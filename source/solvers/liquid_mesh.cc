@@ -4,6 +4,7 @@
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/mesh_quality.h>
 #include <lumbricus/discretization/rest_volume.h>
+#include <lumbricus/reference_map/fluid_reset.h>
 #include <lumbricus/solvers/harmonic_extension.h>
 #include <lumbricus/solvers/liquid_mesh.h>
 
@@ -49,24 +50,23 @@ namespace lumbricus
                    const ShapeCache        &shapes,
                    const Anatomy           &anatomy,
                    const std::vector<bool> &in_segment,
-                   const Vector            &relevant_solution,
                    const State             &state)
     {
       const unsigned int  n_segments = in_segment.size();
       std::vector<double> sums(2 * n_segments, 0.);
-      CellStateAccess     access(space);
+      CellStateReader     reader(space, state);
+      const unsigned int  u_vol = reader.layout.begin_of(volume_displacement);
       std::vector<double> values;
       ElementKernel       kernel;
       for_each_cell(space,
                     anatomy,
                     in_segment,
                     [&](const auto &cell, const unsigned int i) {
-                      access.read(cell, relevant_solution, state, values);
+                      reader.read(cell, values);
                       for (unsigned int c = 0; c < dim; ++c)
                         for (unsigned int n = 0; n < n_nodes; ++n)
-                          kernel.u[c][n] =
-                            values[CellState::volume_begin + c * n_nodes + n];
-                      std::copy_n(&values[CellState::pressure_begin],
+                          kernel.u[c][n] = values[u_vol + c * n_nodes + n];
+                      std::copy_n(&values[CellLayout::pressure_begin],
                                   MixedSpace::n_pressure_modes,
                                   kernel.p);
                       kernel.compute_deformation(shapes.cell(i));
@@ -102,11 +102,11 @@ namespace lumbricus
                   const std::vector<bool>   &in_segment,
                   const CellVector          &correction,
                   const std::vector<double> &pressures,
-                  const Vector              &relevant_solution,
                   const State               &state)
     {
       State               relaxed = state;
-      CellStateAccess     access(space);
+      CellStateReader     reader(space, state);
+      CellStateWriter     writer(space, relaxed);
       std::vector<double> values, of_cell(CellUnknowns::n_per_cell);
       const double        constant_mode =
         space.fe.shape_value(space.pressure_dof[0], dealii::Point<dim>());
@@ -114,21 +114,23 @@ namespace lumbricus
                     anatomy,
                     in_segment,
                     [&](const auto &cell, const unsigned int i) {
-                      access.read(cell, relevant_solution, state, values);
+                      reader.read(cell, values);
                       unknowns.read_free(i, correction, of_cell.data());
                       const auto u = values.begin(),
-                                 p = u + CellState::pressure_begin;
+                                 p = u + CellLayout::pressure_begin;
                       for (unsigned int c = 0; c < dim; ++c)
                         for (unsigned int n = 0; n < n_nodes; ++n)
                           u[c * n_nodes + n] +=
                             of_cell[CellUnknowns::displacement(c, n)];
-                      for (const unsigned int begin :
-                           {CellState::rest_begin, CellState::volume_begin})
-                        std::copy_n(u, CellState::n_displacements, u + begin);
+                      for (const auto *history :
+                           {&rest_displacement, &volume_displacement})
+                        std::copy_n(u,
+                                    CellLayout::n_displacements,
+                                    u + reader.layout.begin_of(*history));
                       std::fill_n(p, MixedSpace::n_pressure_modes, 0.);
                       *p = pressures[Region::of(cell->material_id()).segment] /
                            constant_mode;
-                      access.write(cell, values, relaxed);
+                      writer.write(cell, values);
                     });
       relaxed.compress();
       return relaxed;
@@ -182,7 +184,7 @@ namespace lumbricus
     const CellVector correction = harmonic_correction(
       space, shapes, anatomy, unknowns, before, relaxation.in_segment);
     const auto pressures = mean_pressures(
-      space, shapes, anatomy, relaxation.in_segment, before, state);
+      space, shapes, anatomy, relaxation.in_segment, state);
     const auto relax_them = [&]() {
       return relaxed_state(space,
                            anatomy,
@@ -190,7 +192,6 @@ namespace lumbricus
                            relaxation.in_segment,
                            correction,
                            pressures,
-                           before,
                            state);
     };
     State        relaxed = relax_them();
@@ -211,8 +212,11 @@ namespace lumbricus
                      shapes,
                      anatomy,
                      relaxed);
-    relaxation.change = relaxed.solution;
-    relaxation.change -= state.solution;
+    // What is extrapolated begins at the nodes where they are now.
+    Vector change = relaxed.solution;
+    change -= state.solution;
+    for (State::Past &earlier : relaxed.past)
+      earlier.solution += change;
     state = relaxed;
     return relaxation;
   }

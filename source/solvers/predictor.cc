@@ -3,6 +3,8 @@
 
 #include <deal.II/base/patterns.h>
 
+#include <vector>
+
 namespace lumbricus
 {
   void
@@ -21,57 +23,41 @@ namespace lumbricus
 
 
   void
-  Predictor::accept(const State &state)
+  Predictor::accept(const State &before, State &after) const
   {
-    if (order == 0)
-      return;
-    history.emplace_front(state.time, state.solution);
-    if (history.size() > order + 1)
-      history.pop_back();
-  }
-
-
-
-  void
-  Predictor::restart(const State &state)
-  {
-    history.clear();
-    accept(state);
-  }
-
-
-
-  void
-  Predictor::shift(const Vector &change)
-  {
-    for (auto &[t, u] : history)
-      u += change;
-  }
-
-
-
-  bool
-  Predictor::ready() const
-  {
-    return history.size() > 1;
+    after.past = before.past;
+    after.past.push_front({before.time, before.solution});
+    if (after.past.size() > order)
+      after.past.resize(order);
   }
 
 
 
   Vector
-  Predictor::predict(const State &state) const
+  Predictor::predict(const State &state, const double t) const
   {
-    Vector solution = state.solution;
-    if (!ready())
-      return solution;
-    solution = 0.;
-    for (const auto &[t_i, u_i] : history)
+    if (order == 0 || state.past.empty())
+      return state.solution;
+    std::vector<const State::Past *> known;
+    for (const State::Past &earlier : state.past)
+      if (known.size() < order)
+        known.push_back(&earlier);
+
+    // The polynomial in Lagrange's form, the state itself last.
+    Vector       solution = state.solution;
+    const double t_0      = state.time;
+    double       weight   = 1.;
+    for (const State::Past *earlier : known)
+      weight *= (t - earlier->time) / (t_0 - earlier->time);
+    solution *= weight;
+    for (const State::Past *earlier : known)
       {
-        double weight = 1.;
-        for (const auto &[t_j, u_j] : history)
-          if (t_j != t_i)
-            weight *= (state.time - t_j) / (t_i - t_j);
-        solution.add(weight, u_i);
+        const double t_i = earlier->time;
+        weight           = (t - t_0) / (t_i - t_0);
+        for (const State::Past *other : known)
+          if (other != earlier)
+            weight *= (t - other->time) / (t_i - other->time);
+        solution.add(weight, earlier->solution);
       }
     return solution;
   }

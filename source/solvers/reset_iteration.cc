@@ -186,6 +186,8 @@ namespace lumbricus
   {
     const Vector relevant       = space.with_ghosts(state.solution);
     const bool   forgets_volume = mode == "full";
+    Vector      &u_ref          = rest_displacement.in(state);
+    Vector      &u_vol          = volume_displacement.in(state);
     std::vector<dealii::types::global_dof_index> indices(
       space.fe.n_dofs_per_cell());
     std::vector<dealii::types::global_dof_index> rest_indices(
@@ -203,9 +205,9 @@ namespace lumbricus
             {
               const double u = relevant(indices[space.displacement_dof[c][n]]);
               const auto   index = rest_indices[space.rest_dof[c][n]];
-              state.rest_displacement(index) = u;
+              u_ref(index)       = u;
               if (forgets_volume)
-                state.volume_displacement(index) = u;
+                u_vol(index) = u;
             }
       }
     state.compress();

@@ -6,7 +6,7 @@ expected, and a checkpoint restarts the predictor. The pressure of the first
 segment was 0.001546 with a checkpoint after every step and 0.002028 with none, of
 the second -0.00031 and 0.00041; neither was near what shorter steps led to."""
 import pytest
-from lumbricus_run import SOURCE, run_well
+from lumbricus_run import SOURCE, go_on, run_well
 
 CASE = SOURCE / "tests" / "faults" / "short.prm"
 ALIKE = ["Adaptivity/Every=0", "Output/Every=0"]
@@ -47,6 +47,28 @@ def test_checkpoints_and_predictor(tmp_path, coupling):
         f"Interface/Coupling={coupling}", *ALIKE, "Time/End=0.4",
         *WAYS["no checkpoints"]], 2)
     equal(on_two, runs[0])
+
+
+@pytest.mark.parametrize("n_ranks", [1, 2])
+def test_how_long_the_steps_are(tmp_path, n_ranks):
+    """By how many iterations Newton's method took, and so by where it started.
+    A checkpoint made the run forget the last solutions: steps were shorter from
+    there on, and so were those of a run that goes on."""
+    settings = [*ALIKE, "Time/Growth=1.3", "Time/Easy iterations=3",
+                "Time/Largest step=1", "Time/First step=0.05"]
+    runs = [run_well(CASE, tmp_path / name, [*settings, *ways], n_ranks)
+            for name, ways in (("never", ["Checkpoints/Steps=0"]),
+                               ("often", ["Checkpoints/Steps=1"]),
+                               ("half", ["Checkpoints/Steps=2",
+                                         "Time/End=0.4"]))]
+    never, often = runs[:2]
+    half = go_on(tmp_path / "half", ["Time/End=1"], n_ranks)
+    sizes = {row["dt"] for row in never.steps()}
+    assert max(sizes) > 1.2 * min(sizes)
+    for name in ("t", "newton_iterations"):
+        expected = [row[name] for row in never.steps()]
+        assert [row[name] for row in often.steps()] == expected
+        assert [row[name] for row in half.steps()] == expected
 
 
 @pytest.mark.parametrize("coupling", ["tied", "slip"])

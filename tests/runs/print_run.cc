@@ -67,12 +67,8 @@ main(int argc, char *argv[])
     {
       lumbricus::CommandLine command_line(argc, argv);
       command_line.output_folder = "results";
-
-      // The log has times in it, which no reference can hold.
-      std::ofstream log("log.txt");
-      auto *const   terminal = std::cout.rdbuf(log.rdbuf());
+      command_line.quiet         = true;
       lumbricus::run(command_line, comm);
-      std::cout.rdbuf(terminal);
       if (first)
         {
           std::FILE *const output = std::fopen("output", "w");

@@ -32,7 +32,7 @@ namespace
       read_plugin<Geometry>("open cylinder", "set Cross-section = quarter")
         ->create_coarse_mesh(triangulation);
       number();
-      state      = space.initial_state();
+      state      = space.initial_state(past);
       state.time = 0.7;
       fill();
     }
@@ -58,23 +58,25 @@ namespace
     fill()
     {
       const dealii::FE_Q<dim> q2(MixedSpace::degree);
-      CellStateAccess         access(space);
-      std::vector<double>     values(CellState::size);
+      CellStateWriter         writer(space, state);
+      const auto              displacements =
+        writer.layout.displacement_begins();
+      const auto          pressures = writer.layout.pressure_begins();
+      std::vector<double> values(writer.layout.size());
       for_each_cell([&](const auto &cell) {
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
             {
               const auto X = space.mapping.transform_unit_to_real_cell(
                 cell, q2.unit_support_point(n));
-              values[c * MixedSpace::n_nodes + n] = noise(X, c);
-              values[CellState::rest_begin + c * MixedSpace::n_nodes + n] =
-                noise(X, c + dim);
-              values[CellState::volume_begin + c * MixedSpace::n_nodes + n] =
-                noise(X, c + 2 * dim);
+              for (unsigned int k = 0; k < displacements.size(); ++k)
+                values[displacements[k] + c * MixedSpace::n_nodes + n] =
+                  noise(X, c + k * dim);
             }
-        for (unsigned int m = 0; m < MixedSpace::n_pressure_modes; ++m)
-          values[CellState::pressure_begin + m] = noise(cell->center(), m);
-        access.write(cell, values, state);
+        for (unsigned int k = 0; k < pressures.size(); ++k)
+          for (unsigned int m = 0; m < MixedSpace::n_pressure_modes; ++m)
+            values[pressures[k] + m] = noise(cell->center(), m + k);
+        writer.write(cell, values);
       });
       state.compress();
     }
@@ -88,12 +90,11 @@ namespace
           function(cell);
     }
 
-    // int f(u, p, u_ref) dV for an f that is not linear: alike only where the
-    // functions are.
+    // int f dV for an f of all displacements and pressures that is not linear:
+    // alike only where the functions are.
     double
     integral() const
     {
-      const Vector              relevant = space.with_ghosts(state.solution);
       const dealii::FE_Q<dim>   q2(MixedSpace::degree);
       const dealii::QGauss<dim> quadrature(6);
       dealii::FEValues<dim>     shape(space.mapping,
@@ -101,35 +102,40 @@ namespace
                                   quadrature,
                                   dealii::update_values |
                                     dealii::update_JxW_values);
-      CellStateAccess           access(space);
-      std::vector<double>       values;
-      double                    sum = 0.;
+      CellStateReader           reader(space, state);
+      const auto displacements = reader.layout.displacement_begins();
+      const auto pressures     = reader.layout.pressure_begins();
+      std::vector<double> values;
+      double              sum = 0.;
       for_each_cell([&](const auto &cell) {
-        access.read(cell, relevant, state, values);
+        reader.read(cell, values);
         shape.reinit(dealii::Triangulation<dim>::cell_iterator(cell));
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
-            double p = 0.;
-            for (unsigned int m = 0; m < MixedSpace::n_pressure_modes; ++m)
-              p += values[CellState::pressure_begin + m] *
-                   space.fe.shape_value_component(space.pressure_dof[m],
-                                                  quadrature.point(q),
-                                                  dim);
-            double f = p * p;
+            double f = 0.;
+            for (const unsigned int begin : pressures)
+              {
+                double p = 0.;
+                for (unsigned int m = 0; m < MixedSpace::n_pressure_modes; ++m)
+                  p += values[begin + m] *
+                       space.fe.shape_value_component(space.pressure_dof[m],
+                                                      quadrature.point(q),
+                                                      dim);
+                f += (1. + begin) * p * p;
+              }
             for (unsigned int c = 0; c < dim; ++c)
               {
-                double u = 0., u_ref = 0., u_vol = 0.;
-                for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+                double before = 1.;
+                for (unsigned int k = 0; k < displacements.size(); ++k)
                   {
-                    const double N = shape.shape_value(n, q);
-                    u += N * values[c * MixedSpace::n_nodes + n];
-                    u_ref += N * values[CellState::rest_begin +
-                                        c * MixedSpace::n_nodes + n];
-                    u_vol += N * values[CellState::volume_begin +
-                                        c * MixedSpace::n_nodes + n];
+                    double u = 0.;
+                    for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+                      u += shape.shape_value(n, q) *
+                           values[displacements[k] + c * MixedSpace::n_nodes +
+                                  n];
+                    f += (c + 3 * k + 1) * u * u + u * before;
+                    before = u;
                   }
-                f += (c + 1) * u * u + (c + 4) * u_ref * u_ref +
-                     (c + 7) * u_vol * u_vol + u * u_ref + u_ref * u_vol;
               }
             sum += f * shape.JxW(q);
           }
@@ -153,6 +159,8 @@ namespace
       });
       change();
     }
+
+    const std::vector<double> past = {0.6, 0.4};
 
     ParallelMesh triangulation;
     MixedSpace   space;
@@ -188,12 +196,19 @@ TEST_P(StateTransfer, MergingUndoesRefinement)
   ASSERT_EQ(refined_cells(triangulation), refined);
 
   // Unknowns may be numbered anew, but norms do not care.
-  for (const auto vector : {&State::solution,
-                            &State::rest_displacement,
-                            &State::volume_displacement})
-    EXPECT_NEAR((state.*vector).l2_norm() / (before.*vector).l2_norm(),
-                1.,
-                1e-14);
+  const auto expect_equal = [](const Vector &a, const Vector &b) {
+    EXPECT_NEAR(a.l2_norm() / b.l2_norm(), 1., 1e-14);
+  };
+  expect_equal(state.solution, before.solution);
+  ASSERT_EQ(state.histories.size(), 2);
+  for (const auto &[name, vector] : before.histories)
+    expect_equal(state.histories.at(name), vector);
+  ASSERT_EQ(state.past.size(), 2);
+  for (unsigned int k = 0; k < 2; ++k)
+    {
+      EXPECT_EQ(state.past[k].time, past[k]);
+      expect_equal(state.past[k].solution, before.past[k].solution);
+    }
 }
 
 
@@ -202,7 +217,7 @@ TEST_P(StateTransfer, WhatHangsIsConforming)
 {
   triangulation.refine_global(1);
   number();
-  state = space.initial_state();
+  state = space.initial_state(past);
   fill();
   // Merge some, so that coarse cells get fine neighbours that do not fit.
   for (const auto &cell : triangulation.active_cell_iterators())
@@ -217,10 +232,15 @@ TEST_P(StateTransfer, WhatHangsIsConforming)
   EXPECT_GT(dealii::Utilities::MPI::sum(hanging_nodes.n_constraints(),
                                         space.communicator()),
             0u);
-  Vector conforming = state.solution;
-  hanging_nodes.distribute(conforming);
-  conforming -= state.solution;
-  EXPECT_LT(conforming.linfty_norm(), 1e-13);
+  const auto expect_conforming = [&](const Vector &solution) {
+    Vector conforming = solution;
+    hanging_nodes.distribute(conforming);
+    conforming -= solution;
+    EXPECT_LT(conforming.linfty_norm(), 1e-13);
+  };
+  expect_conforming(state.solution);
+  for (const State::Past &earlier : state.past)
+    expect_conforming(earlier.solution);
 }
 
 

@@ -11,9 +11,9 @@ namespace lumbricus
 {
   /**
    * Refine and coarsen the cells that are marked, and take @p state along.
-   * On a cell that is refined u, p, u_ref and u_vol stay the functions they
-   * are. On one that is made of eight, u, u_ref and u_vol are those at its
-   * nodes, p is the projection, and what does not fit at hanging nodes gives
+   * On a cell that is refined solutions and histories stay the functions they
+   * are. On one that is made of eight, displacements are those at its nodes,
+   * pressures are the projection, and what does not fit at hanging nodes gives
    * way.
    * @p renumber is called in between, to number the unknowns of @p space anew.
    * Collective.

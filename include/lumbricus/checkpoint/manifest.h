@@ -19,6 +19,7 @@ namespace lumbricus
 
     std::map<std::string, Fingerprint> files;         ///< by name
     std::vector<unsigned int>          cells_of_rank; ///< in the file of each
+    unsigned int                       cell_size = 0; ///< [bytes]
 
     static const std::string file_name;  ///< MANIFEST
     static const std::string mesh;       ///< the cells that are refined
@@ -38,9 +39,12 @@ namespace lumbricus
     static std::string
     line_of_file(const std::string &name, const Fingerprint &content);
 
-    /** The line that says how many cells there are in the file of a rank. */
+    /** The line that says how many cells of how many bytes there are in the
+     * file of a rank. */
     static std::string
-    line_of_cells(const unsigned int rank, const unsigned int n_cells);
+    line_of_cells(const unsigned int rank,
+                  const unsigned int n_cells,
+                  const unsigned int cell_size);
 
     /** A manifest with @p lines of all ranks, and its checksum. */
     static std::string

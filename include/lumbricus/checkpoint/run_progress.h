@@ -6,6 +6,7 @@
 
 #include <iosfwd>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,10 @@ namespace lumbricus
   {
     double       time = 0.; ///< State::time
     unsigned int step = 0;  ///< the load step it ended, from 1
+    /** The names of State::histories. */
+    std::set<std::string> histories;
+    /** The times of State::past. */
+    std::vector<double> past;
     /** The size of the load step wanted next. */
     double step_size       = 0.;
     double elapsed_seconds = 0.; ///< of all runs up to here

@@ -4,6 +4,10 @@
 
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <deque>
+#include <map>
+#include <string>
+
 namespace lumbricus
 {
   /** What a state is made of: Trilinos' distributed vectors. */
@@ -11,28 +15,40 @@ namespace lumbricus
 
   /**
    * All that a run has to remember, as a value: copy it to roll back.
-   * Only Newton's method writes the solution, only the reset writes the two
-   * others; a reset that relaxes the liquid's mesh writes all three.
+   * Only Newton's method writes the solution, only the reset writes the
+   * histories of the liquid; a reset that relaxes the liquid's mesh writes all.
    */
   struct State
   {
+    /** A solution, and when it was that of the run. */
+    struct Past
+    {
+      double time;
+      Vector solution;
+    };
+
     /** The load parameter, called time [any unit: the problem is static]. */
     double time = 0.;
     /** Displacement u [mm] and pressure variable p [N/mm^2], owned entries. */
     Vector solution;
-    /** u_ref [mm]: where the liquid is free of shear; unused elsewhere. */
-    Vector rest_displacement;
-    /** u_vol [mm]: where the liquid has its stress-free volume; zero as long as
-     * that is the volume of the mesh. */
-    Vector volume_displacement;
+    /** Vector fields that have a value at each node of each cell, by name:
+     * NodalHistory gives them. */
+    std::map<std::string, Vector> histories;
+    /** The ends of the last load steps, the latest first, from which Predictor
+     * extrapolates: as many as it needs, none where the load does not go on as
+     * it did. */
+    std::deque<Past> past;
 
     /** After entries have been set. Collective. */
     void
     compress()
     {
-      for (Vector *vector :
-           {&solution, &rest_displacement, &volume_displacement})
-        vector->compress(dealii::VectorOperation::insert);
+      const auto set = dealii::VectorOperation::insert;
+      solution.compress(set);
+      for (auto &[name, vector] : histories)
+        vector.compress(set);
+      for (Past &earlier : past)
+        earlier.solution.compress(set);
     }
   };
 } // namespace lumbricus

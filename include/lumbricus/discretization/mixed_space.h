@@ -66,9 +66,10 @@ namespace lumbricus
     void
     set_finest_curved_level(const unsigned int level);
 
-    /** A state of rest at time zero. */
+    /** A state of rest at time zero; with earlier solutions of these times,
+     * zero too. */
     State
-    initial_state() const;
+    initial_state(const std::vector<double> &past = {}) const;
 
     /** @p solution, which has owned entries, with those that the owned cells
      * need. Collective. */

@@ -14,16 +14,22 @@
 namespace lumbricus
 {
   /**
-   * Write u, p, u_ref and u_vol of the locally owned cells, bit by bit: a key
-   * and 85 + 162 numbers a cell, 2 kB. Values at nodes that cells share are
-   * there more than once, so that each cell can be read alone. Collective.
+   * Write what the locally owned cells have of @p state, bit by bit: a key and
+   * the numbers of a CellLayout each, 2 to 3 kB. Values at nodes that cells
+   * share are there more than once, so that each cell can be read alone.
+   * Collective.
    */
   void
   write_cells(const MixedSpace &space, const State &state, std::ostream &out);
 
-  /** How much write_cells() writes for a cell [bytes]. */
-  constexpr std::size_t cell_record_size =
-    sizeof(CellKey) + CellState::size * sizeof(double);
+  /** How much write_cells() writes for a cell [bytes] of a state with so many
+   * histories and earlier solutions. */
+  constexpr std::size_t
+  cell_record_size(const unsigned int n_histories, const unsigned int n_past)
+  {
+    return sizeof(CellKey) +
+           CellLayout::size_of(n_histories, n_past) * sizeof(double);
+  }
 
 
 
@@ -31,12 +37,13 @@ namespace lumbricus
   class CellReader
   {
   public:
-    /** For the cells of @p space that are locally owned now. */
-    explicit CellReader(const MixedSpace &space);
+    /** For the cells of @p space that are locally owned now, into @p state,
+     * which has the histories and the past of what is to be read. */
+    CellReader(const MixedSpace &space, State &state);
 
     /** Read the values of those that are in @p in; the others are left out. */
     void
-    read(std::istream &in, State &state);
+    read(std::istream &in);
 
     /** Whether every cell has been read, once. */
     bool
@@ -47,7 +54,7 @@ namespace lumbricus
     is_finite() const;
 
   private:
-    CellStateAccess     access;
+    CellStateWriter     writer;
     std::vector<double> values;
     bool                finite = true;
     bool                twice  = false;

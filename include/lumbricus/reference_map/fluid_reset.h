@@ -2,10 +2,20 @@
 #ifndef lumbricus_reference_map_fluid_reset_h
 #define lumbricus_reference_map_fluid_reset_h
 
+#include <lumbricus/core/nodal_history.h>
 #include <lumbricus/reference_map/reference_point.h>
 
 namespace lumbricus
 {
+  /** u_ref [mm]: where the liquid is free of shear; unused elsewhere. */
+  extern const NodalHistory rest_displacement;
+
+  /** u_vol [mm]: where the liquid has its stress-free volume; zero as long as
+   * that is the volume of the mesh. */
+  extern const NodalHistory volume_displacement;
+
+
+
   /**
    * The reference map of a rubber fluid that is free of shear in the shape
    * x = X + u_ref, and has its stress-free volume in the shape x = X + u_vol:

@@ -35,8 +35,6 @@ namespace lumbricus
     {
       /** Which segments; empty for none. */
       std::vector<bool> in_segment;
-      /** By how much the solution has changed. */
-      Vector change;
     };
 
     /** Relax the mesh of those segments whose quality asks for it, and is

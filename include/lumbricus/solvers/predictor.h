@@ -5,14 +5,12 @@
 #include <lumbricus/core/parameter_owner.h>
 #include <lumbricus/core/state.h>
 
-#include <deque>
-#include <utility>
-
 namespace lumbricus
 {
   /**
    * Where Newton's method starts in a load step: the polynomial through the
-   * last solutions, of the given order in time,
+   * last solutions u_i (State::past and that of the state itself), of the given
+   * order in time,
    *
    *   u(t) = sum_i u_i prod_(j != i) (t - t_j) / (t_i - t_j).
    */
@@ -22,32 +20,18 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override;
 
-    /** A load step has ended in @p state. */
+    /** A load step led from @p before to @p after, whose State::past this
+     * writes. */
     void
-    accept(const State &state);
+    accept(const State &before, State &after) const;
 
-    /** Forget all before @p state: the mesh is new, or the run starts from
-     * here. */
-    void
-    restart(const State &state);
-
-    /** The solution of the last state, and with it all before, is another: by
-     * @p change. */
-    void
-    shift(const Vector &change);
-
-    /** Whether there is anything to extrapolate from. */
-    bool
-    ready() const;
-
-    /** The solution that is expected at the time of @p state; without a
-     * history that of @p state. */
+    /** The solution that is expected at time @p t, later than that of
+     * @p state; without a past its solution. */
     Vector
-    predict(const State &state) const;
+    predict(const State &state, const double t) const;
 
   private:
-    unsigned int                          order = 1;
-    std::deque<std::pair<double, Vector>> history;
+    unsigned int order = 1;
   };
 } // namespace lumbricus
 

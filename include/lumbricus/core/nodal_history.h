@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_core_nodal_history_h
+#define lumbricus_core_nodal_history_h
+
+#include <lumbricus/core/state.h>
+
+#include <set>
+#include <string>
+
+namespace lumbricus
+{
+  /**
+   * A vector field that a part of the program remembers from one load step to
+   * the next, as one Q2 displacement on each cell. Defined once, at namespace
+   * scope, beside what writes it; copying a state, refinement, repartition and
+   * checkpoints take it along.
+   */
+  class NodalHistory
+  {
+  public:
+    /** Zero at first, everywhere. The @p name has no blanks, and no other
+     * history has it. */
+    explicit NodalHistory(const std::string &name);
+
+    NodalHistory(const NodalHistory &) = delete;
+    NodalHistory &
+    operator=(const NodalHistory &) = delete;
+
+    const std::string &
+    name() const;
+
+    /** That of @p state: numbered by MixedSpace::rest_dof_handler, owned
+     * entries. Not for the innermost loop. */
+    Vector &
+    in(State &state) const;
+    const Vector &
+    in(const State &state) const;
+
+    /** The names of all. */
+    static const std::set<std::string> &
+    names();
+
+  private:
+    const std::string own_name;
+  };
+} // namespace lumbricus
+
+#endif
