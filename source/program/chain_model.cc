@@ -90,6 +90,24 @@ namespace lumbricus
 
 
 
+  void
+  ChainModel::set_to(const State &state, const LoadTime &t)
+  {
+    references.update(state, t);
+    equilibrium.set_time(t, state.solution);
+    equilibrium.start_from(state.solution);
+  }
+
+
+
+  void
+  ChainModel::set_to(const State &state)
+  {
+    set_to(state, state.time);
+  }
+
+
+
   ResetIteration::Report
   ChainModel::solve(State &state)
   {

@@ -25,9 +25,7 @@ namespace lumbricus
     void
     linearise(ChainModel &model, const State &state, const LoadTime &t)
     {
-      model.references.update(state, t);
-      model.equilibrium.set_time(t, state.solution);
-      model.equilibrium.start_from(state.solution);
+      model.set_to(state, t);
       model.equilibrium.forget_factors();
       model.equilibrium.linearise(state.solution);
     }
@@ -144,6 +142,8 @@ namespace lumbricus
               << " cannot be computed: " << plain_message(exception) << "."
               << advice;
       }
+    // Whoever looks at the model next finds it where the run is.
+    model.set_to(state, now);
     return words.str();
   }
 } // namespace lumbricus

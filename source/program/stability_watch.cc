@@ -32,9 +32,7 @@ namespace lumbricus
     // be that of any more.
     const Uninterrupted        uninterrupted;
     dealii::TimerOutput::Scope scope(model.timer, "stability");
-    model.references.update(state);
-    model.equilibrium.set_time(state.time, state.solution);
-    model.equilibrium.start_from(state.solution);
+    model.set_to(state);
     model.equilibrium.linearise(state.solution);
     const Stability stability(model.space,
                               model.shapes,

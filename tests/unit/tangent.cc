@@ -86,9 +86,7 @@ end
       : Specimen(text)
     {
       state.time = 0.5;
-      model->references.update(state);
-      model->equilibrium.set_time(state.time, state.solution);
-      model->equilibrium.start_from(state.solution);
+      model->set_to(state);
       // With more, the pressures of noise are no longer small beside the
       // stiffness of the liquid, which is no state that a run comes to.
       x = random(0.001, 1);

@@ -43,6 +43,15 @@ namespace lumbricus
     void
     reinit();
 
+    /** Make this the model of @p state under the loads at @p t, ready to be
+     * linearised there. Collective. */
+    void
+    set_to(const State &state, const LoadTime &t);
+
+    /** The same under the loads at the time of @p state. */
+    void
+    set_to(const State &state);
+
     /**
      * Find the equilibrium at the time of @p state with a hydrostatic liquid,
      * from @p state on. Throws ExcNotConverged, with @p state left anywhere.
