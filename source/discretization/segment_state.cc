@@ -46,6 +46,7 @@ namespace lumbricus
       {
         const unsigned int i      = cell_index++;
         const Region       region = Region::of(cell->material_id());
+        const Tissue      &tissue = anatomy.tissue(region.tissue);
         const bool         liquid = anatomy.is_liquid(region.tissue);
         SegmentState      &state  = states[region.segment];
 
@@ -60,13 +61,11 @@ namespace lumbricus
                 state.wall_volume += J * dV;
                 continue;
               }
-            anatomy.tissue(region.tissue)
-              .law()
-              .evaluate(kernel.F[q],
-                        kernel.pressure(shapes.pressure_modes(), q),
-                        references.cell(i)[q],
-                        false,
-                        response);
+            tissue.evaluate(kernel.F[q],
+                            kernel.pressure(shapes.pressure_modes(), q),
+                            references.cell(i)[q],
+                            false,
+                            response);
             const auto sigma = dealii::symmetrize(
               response.P * dealii::transpose(kernel.F[q]) / J);
             const double p        = -trace(sigma) / dim;
