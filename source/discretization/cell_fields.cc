@@ -2,6 +2,7 @@
 #include <lumbricus/discretization/cell_fields.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/materials/cauchy_stress.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgq.h>
@@ -147,9 +148,8 @@ namespace lumbricus
               kernel.pressure(shapes.pressure_modes(), q);
             const MaterialPoint &here = references.cell(i)[q];
             tissue.evaluate(F, pressure_unknown, here, false, response);
-            const auto sigma =
-              dealii::symmetrize(response.P * dealii::transpose(F) / J);
-            const double p = -trace(sigma) / dim;
+            const auto   sigma = cauchy_stress(response.P, F);
+            const double p     = -trace(sigma) / dim;
 
             PointValues point(values[q]);
             for (unsigned int c = 0; c < dim; ++c)

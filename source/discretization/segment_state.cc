@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/segment_state.h>
+#include <lumbricus/materials/cauchy_stress.h>
 
 #include <deal.II/grid/filtered_iterator.h>
 
@@ -66,8 +67,7 @@ namespace lumbricus
                             references.cell(i)[q],
                             false,
                             response);
-            const auto sigma = dealii::symmetrize(
-              response.P * dealii::transpose(kernel.F[q]) / J);
+            const auto   sigma    = cauchy_stress(response.P, kernel.F[q]);
             const double p        = -trace(sigma) / dim;
             const double deviator = dealii::deviator(sigma).norm();
             state.liquid_volume += J * dV;
