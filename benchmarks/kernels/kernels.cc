@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // How long the element kernels take on one core, and what part that is of what
 // the core can do.
+#include <lumbricus/anatomy/tissue.h>
 #include <lumbricus/core/mpi_session.h>
-#include <lumbricus/core/registry.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/tangent.h>
 #include <lumbricus/program/blas.h>
@@ -84,21 +84,24 @@ namespace
 
   struct Material
   {
-    std::string                  name;
-    std::unique_ptr<MaterialLaw> law;
-    ReferencePoint               reference;
-    operations::Law              operations;
+    std::string             name;
+    std::unique_ptr<Tissue> tissue;
+    ReferencePoint          reference;
+    operations::Law         operations;
   };
 
 
 
-  std::unique_ptr<MaterialLaw>
-  make_law(const std::string &name)
+  std::unique_ptr<Tissue>
+  make_tissue(const std::string &law)
   {
     dealii::ParameterHandler prm;
-    auto                     law = Registry<MaterialLaw>::create(name);
-    law->declare_parameters(prm);
-    return law;
+    auto                     tissue = std::make_unique<Tissue>("tissue");
+    tissue->declare_parameters(prm);
+    prm.set("Law", law);
+    tissue->extend_parameters(prm, Extent::chosen);
+    tissue->initialize({});
+    return tissue;
   }
 
 
@@ -113,15 +116,15 @@ namespace
     F_r[2][2]                  = 0.9;
 
     std::vector<Material> all;
-    all.push_back({"wall, Neo-Hooke", make_law("Neo-Hooke"), {}, neo_hooke});
+    all.push_back({"wall, Neo-Hooke", make_tissue("Neo-Hooke"), {}, neo_hooke});
     all.push_back(
-      {"wall, Mooney-Rivlin", make_law("Mooney-Rivlin"), {}, mooney_rivlin});
+      {"wall, Mooney-Rivlin", make_tissue("Mooney-Rivlin"), {}, mooney_rivlin});
     all.push_back({"muscle, Neo-Hooke",
-                   make_law("Neo-Hooke"),
+                   make_tissue("Neo-Hooke"),
                    active_stretch_map({fibre}),
                    neo_hooke});
     all.push_back({"liquid, Neo-Hooke",
-                   make_law("Neo-Hooke"),
+                   make_tissue("Neo-Hooke"),
                    rest_shape_map(F_r, F_r),
                    neo_hooke});
     return all;
@@ -211,16 +214,16 @@ namespace
   void
   measure_element(Block &block, const Material &material, const double peak)
   {
-    const double                     *psi = block.shapes.pressure_modes();
-    const std::vector<ReferencePoint> references(MixedSpace::n_q_points,
-                                                 material.reference);
-    ElementKernel                     kernel;
-    std::vector<double>               K;
+    const double                    *psi = block.shapes.pressure_modes();
+    const std::vector<MaterialPoint> points(MixedSpace::n_q_points,
+                                            {material.reference, {}});
+    ElementKernel                    kernel;
+    std::vector<double>              K;
 
     const auto evaluate = [&](const unsigned int i, CellLinearisation *to) {
       kernel.set(block.state[i].data());
       const double min_J = kernel.evaluate(
-        block.shapes.cell(i), psi, *material.law, references.data(), to);
+        block.shapes.cell(i), psi, *material.tissue, points.data(), to);
       AssertThrow(min_J > 0., dealii::ExcMessage("A cell is inside out."));
     };
     const double residual =
@@ -299,10 +302,10 @@ namespace
                        const std::string &precision,
                        const double       peak)
   {
-    constexpr unsigned int            n = CellUnknowns::n_per_cell;
-    const std::vector<ReferencePoint> references(MixedSpace::n_q_points,
-                                                 material.reference);
-    FreeNumbering                     numbering;
+    constexpr unsigned int           n = CellUnknowns::n_per_cell;
+    const std::vector<MaterialPoint> points(MixedSpace::n_q_points,
+                                            {material.reference, {}});
+    FreeNumbering                    numbering;
     numbering.reinit(block.unknowns, true, MPI_COMM_SELF);
     Mumps<Number> mumps(MPI_COMM_SELF, {true, true, 0.}, numbering);
     mumps.analyse(block.unknowns, block.n_cells(), 0);
@@ -314,8 +317,8 @@ namespace
         kernel.set(block.state[i].data());
         kernel.evaluate(block.shapes.cell(i),
                         block.shapes.pressure_modes(),
-                        *material.law,
-                        references.data(),
+                        *material.tissue,
+                        points.data(),
                         &block.tangent.cell(i));
         block.tangent.cell_matrix(i, K);
         for (unsigned int r = 0; r < n; ++r)

@@ -118,7 +118,7 @@ namespace lumbricus
         if (!name.liquid)
           continue;
         const Tissue &liquid = *tissues.find(name.name);
-        AssertThrow(liquid.muscles().empty(),
+        AssertThrow(liquid.muscle_names().empty(),
                     ExcParameter("Tissues/" + name.name + "/Muscles",
                                  "has to be empty: a liquid has no fibres. Put "
                                  "the muscle into a tissue of the wall."));
@@ -147,10 +147,13 @@ namespace lumbricus
   Anatomy::initialize()
   {
     tissue_names = geometry_choice->tissues();
-    muscles_by_tissue.resize(tissue_names.size());
-    for (unsigned int i = 0; i < tissue_names.size(); ++i)
-      for (const std::string &name : tissue(i).muscles())
-        muscles_by_tissue[i].push_back(muscles.find(name));
+    for (std::size_t i = 0; i < tissues.size(); ++i)
+      {
+        std::vector<const Muscle *> named;
+        for (const std::string &name : tissues[i].muscle_names())
+          named.push_back(muscles.find(name));
+        tissues[i].initialize(named);
+      }
     for (unsigned int i = 0; i < muscles.size(); ++i)
       muscles[i].initialize(geometry_choice->n_segments());
   }
@@ -158,7 +161,7 @@ namespace lumbricus
 
 
   void
-  Anatomy::try_active_stretches(
+  Anatomy::try_activations(
     const dealii::parallel::TriangulationBase<dim> &triangulation,
     const std::vector<double>                      &times) const
   {
@@ -178,7 +181,7 @@ namespace lumbricus
       {
         for (const auto &[where, X] : points)
           for (const double t : times)
-            where.first->active_stretch(t, where.second, X);
+            where.first->activation(t, where.second, X);
       }
     catch (const ExcInput &exception)
       {
@@ -268,8 +271,7 @@ namespace lumbricus
   const std::vector<const Muscle *> &
   Anatomy::muscles_of(const unsigned int tissue) const
   {
-    AssertIndexRange(tissue, muscles_by_tissue.size());
-    return muscles_by_tissue[tissue];
+    return this->tissue(tissue).muscles();
   }
 
 
@@ -311,7 +313,7 @@ namespace lumbricus
   {
     std::vector<std::string> names;
     for (unsigned int i = 0; i < tissues.size(); ++i)
-      for (const std::string &name : tissues[i].muscles())
+      for (const std::string &name : tissues[i].muscle_names())
         if (std::find(names.begin(), names.end(), name) == names.end())
           names.push_back(name);
     return names;

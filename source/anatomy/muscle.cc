@@ -4,18 +4,31 @@
 #include <lumbricus/core/expression.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace lumbricus
 {
+  namespace
+  {
+    // As a part of the name of a field.
+    std::string
+    underscored(std::string name)
+    {
+      std::replace(name.begin(), name.end(), ' ', '_');
+      return name;
+    }
+  } // namespace
+
+
+
   Muscle::Muscle(const std::string &name)
     : muscle_name(name)
     , fibre_choice("Fibres", "", "The direction of the fibres at rest.")
-    , activation_choice("Active stretch",
-                        "",
-                        "How the stress-free length of the fibres, relative "
-                        "to their length at rest, changes with time.")
+    , action_choice("Action",
+                    "active stretch",
+                    "What the muscle does to the tissue. How much of it, at "
+                    "what time, is chosen by the parameter of the same name.",
+                    Placement::beside_entry)
   {}
 
 
@@ -24,7 +37,7 @@ namespace lumbricus
   Muscle::declare_parameters(dealii::ParameterHandler &prm)
   {
     fibre_choice.declare_parameters(prm);
-    activation_choice.declare_parameters(prm);
+    action_choice.declare_parameters(prm);
   }
 
 
@@ -32,9 +45,9 @@ namespace lumbricus
   bool
   Muscle::extend_parameters(dealii::ParameterHandler &prm, const Extent extent)
   {
-    const bool fibres     = fibre_choice.extend_parameters(prm, extent);
-    const bool activation = activation_choice.extend_parameters(prm, extent);
-    return fibres || activation;
+    const bool fibres = fibre_choice.extend_parameters(prm, extent);
+    const bool action = action_choice.extend_parameters(prm, extent);
+    return fibres || action;
   }
 
 
@@ -47,13 +60,8 @@ namespace lumbricus
                              "is not set: the muscle '" + muscle_name +
                                "' has no fibres. Set it to one of " +
                                Registry<FibreField>::quoted_names() + "."));
-    AssertThrow(activation_choice.get() != nullptr,
-                ExcParameter("Active stretch",
-                             "is not set: the muscle '" + muscle_name +
-                               "' has no active stretch. Set it to one of " +
-                               Registry<Activation>::quoted_names() + "."));
     fibre_choice.check_parameters();
-    activation_choice.check_parameters();
+    action_choice.check_parameters();
   }
 
 
@@ -62,7 +70,7 @@ namespace lumbricus
   Muscle::initialize(const unsigned int n_segments)
   {
     fibre_choice.get()->initialize(muscle_name);
-    activation_choice.get()->initialize(muscle_name, n_segments);
+    action_choice.get()->initialize(muscle_name, n_segments);
   }
 
 
@@ -78,9 +86,23 @@ namespace lumbricus
   std::string
   Muscle::field_name() const
   {
-    std::string name = muscle_name;
-    std::replace(name.begin(), name.end(), ' ', '_');
-    return name;
+    return underscored(muscle_name);
+  }
+
+
+
+  std::string
+  Muscle::activation_field_name() const
+  {
+    return underscored(action().quantity()) + "_" + field_name();
+  }
+
+
+
+  const MuscleAction &
+  Muscle::action() const
+  {
+    return *action_choice;
   }
 
 
@@ -112,12 +134,13 @@ namespace lumbricus
 
 
   double
-  Muscle::active_stretch(const LoadTime           &t,
-                         const unsigned int        segment,
-                         const dealii::Point<dim> &X) const
+  Muscle::activation(const LoadTime           &t,
+                     const unsigned int        segment,
+                     const dealii::Point<dim> &X) const
   {
     return t.take(
-      [&](const double at) { return active_stretch_at(at, segment, X); }, 1.);
+      [&](const double at) { return activation_at(at, segment, X); },
+      action().at_rest());
   }
 
 
@@ -126,16 +149,18 @@ namespace lumbricus
   Muscle::load_curve(const unsigned int                     segment,
                      const std::vector<dealii::Point<dim>> &points) const
   {
-    LoadCurve curve;
-    curve.what    = "the active stretch of muscle '" + muscle_name + "'";
+    const MuscleAction &action = this->action();
+    LoadCurve           curve;
+    curve.what =
+      "the " + action.quantity() + " of muscle '" + muscle_name + "'";
     curve.where   = " in segment " + std::to_string(segment);
-    curve.at_rest = 1.;
+    curve.at_rest = action.at_rest();
     for (const dealii::Point<dim> &X : points)
-      curve.values.push_back([this, segment, X](const double t) {
-        return activation_choice->value(t, segment, X);
+      curve.values.push_back([&action, segment, X](const double t) {
+        return action.activation()->value(t, segment, X);
       });
-    curve.marks = [this, segment](const double from, const double to) {
-      return activation_choice->marks(segment, from, to);
+    curve.marks = [&action, segment](const double from, const double to) {
+      return action.activation()->marks(segment, from, to);
     };
     return curve;
   }
@@ -143,23 +168,24 @@ namespace lumbricus
 
 
   double
-  Muscle::active_stretch_at(const double              t,
-                            const unsigned int        segment,
-                            const dealii::Point<dim> &X) const
+  Muscle::activation_at(const double              t,
+                        const unsigned int        segment,
+                        const dealii::Point<dim> &X) const
   {
-    const double lambda = activation_choice->value(t, segment, X);
-    if (!(lambda > 0. && std::isfinite(lambda)))
+    const MuscleAction &action      = this->action();
+    const double        value       = action.activation()->value(t, segment, X);
+    const std::string   requirement = action.requirement(value);
+    if (!requirement.empty())
       {
         std::ostringstream message;
-        message << "The active stretch of muscle '" << muscle_name
+        message << "The " << action.quantity() << " of muscle '" << muscle_name
                 << "' in segment " << segment << " at time " << t
-                << ", X = " << point_text(X) << ", is " << lambda
-                << "; it has to be a number > 0 (1 is rest, 0.8 a contraction "
-                   "by 20%). Change 'Muscles/"
-                << muscle_name << "/" << activation_choice.chosen_name()
+                << ", X = " << point_text(X) << ", is " << value
+                << "; it has to be " << requirement << ". Change 'Muscles/"
+                << muscle_name << "/" << action.activation().chosen_name()
                 << "'.";
         AssertThrow(false, ExcInput(message.str()));
       }
-    return lambda;
+    return value;
   }
 } // namespace lumbricus

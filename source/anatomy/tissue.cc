@@ -3,6 +3,8 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/patterns.h>
 
+#include <cstddef>
+
 namespace lumbricus
 {
   Tissue::Tissue(const std::string &name)
@@ -29,7 +31,7 @@ namespace lumbricus
   {
     law_choice.declare_parameters(prm);
     prm.add_parameter("Muscles",
-                      muscle_names,
+                      names_of_muscles,
                       "The muscles whose fibres run in this tissue, each a "
                       "section in Muscles; empty for a passive tissue.",
                       NameList());
@@ -49,7 +51,19 @@ namespace lumbricus
   Tissue::check_parameters() const
   {
     law_choice.check_parameters();
-    check_no_name_twice("Muscles", muscle_names);
+    check_no_name_twice("Muscles", names_of_muscles);
+  }
+
+
+
+  void
+  Tissue::initialize(const std::vector<const Muscle *> &muscles)
+  {
+    chosen_law  = &law();
+    its_muscles = muscles;
+    actions.clear();
+    for (const Muscle *muscle : its_muscles)
+      actions.push_back(&muscle->action());
   }
 
 
@@ -79,8 +93,44 @@ namespace lumbricus
 
 
   const std::vector<std::string> &
+  Tissue::muscle_names() const
+  {
+    return names_of_muscles;
+  }
+
+
+
+  const std::vector<const Muscle *> &
   Tissue::muscles() const
   {
-    return muscle_names;
+    return its_muscles;
+  }
+
+
+
+  ReferencePoint
+  Tissue::reference_map(const std::vector<MuscleFibre> &fibres) const
+  {
+    AssertDimension(fibres.size(), actions.size());
+    std::vector<ActiveFibre> stretches;
+    stretches.reserve(fibres.size());
+    for (std::size_t k = 0; k < actions.size(); ++k)
+      actions[k]->add_stretch(fibres[k], stretches);
+    return active_stretch_map(stretches);
+  }
+
+
+
+  void
+  Tissue::evaluate(const dealii::Tensor<2, dim> &F,
+                   const double                  p,
+                   const MaterialPoint          &point,
+                   const bool                    with_tangent,
+                   MaterialResponse             &response) const
+  {
+    AssertDimension(point.fibres.size(), actions.size());
+    chosen_law->evaluate(F, p, point.reference, with_tangent, response);
+    for (std::size_t k = 0; k < actions.size(); ++k)
+      actions[k]->add_stress(F, point.fibres[k], with_tangent, response);
   }
 } // namespace lumbricus

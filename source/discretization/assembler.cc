@@ -122,14 +122,15 @@ namespace lumbricus
       {
         const unsigned int i      = cell_index++;
         const Region       region = Region::of(cell->material_id());
-        const MaterialLaw &law    = anatomy.tissue(region.tissue).law();
+        const Tissue      &tissue = anatomy.tissue(region.tissue);
+        const double       mu     = tissue.law().shear_modulus();
 
         unknowns.read(i, u, values);
         kernel->set(values);
         const double min_J =
           kernel->evaluate(shapes.cell(i),
                            shapes.pressure_modes(),
-                           law,
+                           tissue,
                            references.cell(i),
                            with_tangent ? &linearisation.cell(i) : nullptr);
         if (!(min_J >= report.min_J))
@@ -146,7 +147,7 @@ namespace lumbricus
         rounding.add(i,
                      *kernel,
                      shapes.pressure_modes(),
-                     law.shear_modulus(),
+                     mu,
                      references.cell(i));
         kernel->get_residual(values);
         if (cell->at_boundary())
@@ -155,7 +156,7 @@ namespace lumbricus
         if (with_tangent)
           {
             // What is prescribed and still missing pulls at the free unknowns.
-            linearisation.shear_modulus[i] = law.shear_modulus();
+            linearisation.shear_modulus[i] = mu;
             add_interface_tangent(cell, i);
             double missing[n_per_cell];
             if (unknowns.read_inhomogeneity(i, missing))

@@ -2,6 +2,7 @@
 #include <lumbricus/discretization/cell_fields.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/materials/cauchy_stress.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgq.h>
@@ -68,9 +69,13 @@ namespace lumbricus
     add("hydrostatic_divergence", Interpretation::component_is_scalar, 1);
     for (unsigned int i = 0; i < anatomy.n_muscles(); ++i)
       {
-        const std::string name = anatomy.muscle(i).field_name();
-        add("fibre_" + name, Interpretation::component_is_part_of_vector, dim);
-        add("active_stretch_" + name, Interpretation::component_is_scalar, 1);
+        const Muscle &muscle = anatomy.muscle(i);
+        add("fibre_" + muscle.field_name(),
+            Interpretation::component_is_part_of_vector,
+            dim);
+        add(muscle.activation_field_name(),
+            Interpretation::component_is_scalar,
+            1);
       }
 
     add("pressure_unknown", Interpretation::component_is_scalar, 1);
@@ -128,10 +133,10 @@ namespace lumbricus
                               dealii::IteratorFilters::LocallyOwnedCell())
       {
         const unsigned int i       = cell_index++;
-        const unsigned int tissue  = Region::of(cell->material_id()).tissue;
-        const bool         liquid  = anatomy.is_liquid(tissue);
-        const auto        &law     = anatomy.tissue(tissue).law();
-        const auto        &muscles = anatomy.muscles_of(tissue);
+        const Region       region  = Region::of(cell->material_id());
+        const Tissue      &tissue  = anatomy.tissue(region.tissue);
+        const bool         liquid  = anatomy.is_liquid(region.tissue);
+        const auto        &muscles = tissue.muscles();
 
         kernel.read(space, cell, relevant, indices);
         kernel.compute_deformation(shapes.cell(i));
@@ -141,11 +146,10 @@ namespace lumbricus
             const double J = determinant(F);
             const double pressure_unknown =
               kernel.pressure(shapes.pressure_modes(), q);
-            law.evaluate(
-              F, pressure_unknown, references.cell(i)[q], false, response);
-            const auto sigma =
-              dealii::symmetrize(response.P * dealii::transpose(F) / J);
-            const double p = -trace(sigma) / dim;
+            const MaterialPoint &here = references.cell(i)[q];
+            tissue.evaluate(F, pressure_unknown, here, false, response);
+            const auto   sigma = cauchy_stress(response.P, F);
+            const double p     = -trace(sigma) / dim;
 
             PointValues point(values[q]);
             for (unsigned int c = 0; c < dim; ++c)
@@ -159,19 +163,19 @@ namespace lumbricus
                                0.);
             for (unsigned int m = 0; m < anatomy.n_muscles(); ++m)
               {
-                const auto here =
-                  std::find(muscles.begin(), muscles.end(), &anatomy.muscle(m));
-                if (here == muscles.end())
+                const Muscle &muscle = anatomy.muscle(m);
+                const auto    found =
+                  std::find(muscles.begin(), muscles.end(), &muscle);
+                if (found == muscles.end())
                   {
                     point.add(dealii::Tensor<1, dim>());
-                    point.add(1.);
+                    point.add(muscle.action().at_rest());
                     continue;
                   }
-                const ActiveFibre &fibre =
-                  references.fibres(i)[q][here - muscles.begin()];
+                const MuscleFibre &fibre = here.fibres[found - muscles.begin()];
                 const dealii::Tensor<1, dim> f = F * fibre.f;
                 point.add(f / f.norm());
-                point.add(fibre.lambda);
+                point.add(fibre.activation);
               }
             point.add(pressure_unknown);
           }

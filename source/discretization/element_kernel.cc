@@ -104,8 +104,8 @@ namespace lumbricus
   double
   ElementKernel::evaluate(const ShapeCache::Cell &cell,
                           const double           *pressure_modes,
-                          const MaterialLaw      &law,
-                          const ReferencePoint   *references,
+                          const Tissue           &tissue,
+                          const MaterialPoint    *points,
                           CellLinearisation      *linearisation)
   {
     const double min_J = compute_deformation(cell);
@@ -117,11 +117,11 @@ namespace lumbricus
     MaterialResponse response;
     for (unsigned int q = 0; q < n_q; ++q)
       {
-        law.evaluate(F[q],
-                     pressure(pressure_modes, q),
-                     references[q],
-                     linearisation != nullptr,
-                     response);
+        tissue.evaluate(F[q],
+                        pressure(pressure_modes, q),
+                        points[q],
+                        linearisation != nullptr,
+                        response);
         add_residual(cell, pressure_modes, q, response);
         if (linearisation != nullptr)
           linearisation->set(q, response, cell.JxW[q]);

@@ -144,7 +144,7 @@ namespace lumbricus
             kernel.evaluate(
               shapes.cell(i),
               shapes.pressure_modes(),
-              anatomy.tissue(Region::of(cell->material_id()).tissue).law(),
+              anatomy.tissue(Region::of(cell->material_id()).tissue),
               references.cell(i),
               nullptr);
             for (unsigned int c = 0; c < dim; ++c)

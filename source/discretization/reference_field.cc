@@ -47,18 +47,14 @@ namespace lumbricus
   void
   ReferenceField::reinit()
   {
-    points.assign(shapes.n_owned_cells() * n_q, ReferencePoint());
-    active_fibres.assign(shapes.n_owned_cells(), {});
+    points.assign(shapes.n_owned_cells() * n_q, MaterialPoint());
 
     for_each_region(space, [&](const unsigned int i, const Region region) {
-      const auto &muscles = anatomy.muscles_of(region.tissue);
-      if (muscles.empty())
-        return;
-      active_fibres[i].resize(n_q);
       for (unsigned int q = 0; q < n_q; ++q)
-        for (const Muscle *muscle : muscles)
-          active_fibres[i][q].push_back(
-            {muscle->fibre_direction(shapes.quadrature_point(i, q)), 1.});
+        for (const Muscle *muscle : anatomy.muscles_of(region.tissue))
+          points[i * n_q + q].fibres.push_back(
+            {muscle->fibre_direction(shapes.quadrature_point(i, q)),
+             muscle->action().at_rest()});
     });
   }
 
@@ -68,18 +64,19 @@ namespace lumbricus
   ReferenceField::update_muscles(const LoadTime &t)
   {
     for_each_region(space, [&](const unsigned int i, const Region region) {
-      const auto &muscles = anatomy.muscles_of(region.tissue);
+      const Tissue &tissue  = anatomy.tissue(region.tissue);
+      const auto   &muscles = tissue.muscles();
       if (muscles.empty())
         return;
       for (unsigned int q = 0; q < n_q; ++q)
         {
-          auto &fibres = active_fibres[i][q];
-          for (unsigned int k = 0; k < fibres.size(); ++k)
-            fibres[k].lambda =
-              muscles[k]->active_stretch(t,
-                                         region.segment + 1,
-                                         shapes.quadrature_point(i, q));
-          points[i * n_q + q] = active_stretch_map(fibres);
+          MaterialPoint &point = points[i * n_q + q];
+          for (unsigned int k = 0; k < muscles.size(); ++k)
+            point.fibres[k].activation =
+              muscles[k]->activation(t,
+                                     region.segment + 1,
+                                     shapes.quadrature_point(i, q));
+          point.reference = tissue.reference_map(point.fibres);
         }
     });
   }
@@ -112,7 +109,8 @@ namespace lumbricus
         rest.compute_deformation(shapes.cell(i));
         volume.compute_deformation(shapes.cell(i));
         for (unsigned int q = 0; q < n_q; ++q)
-          points[i * n_q + q] = rest_shape_map(rest.F[q], volume.F[q]);
+          points[i * n_q + q].reference =
+            rest_shape_map(rest.F[q], volume.F[q]);
       }
   }
 
@@ -135,17 +133,9 @@ namespace lumbricus
 
 
 
-  const ReferencePoint *
+  const MaterialPoint *
   ReferenceField::cell(const unsigned int owned_index) const
   {
     return points.data() + owned_index * n_q;
-  }
-
-
-
-  const std::vector<std::vector<ActiveFibre>> &
-  ReferenceField::fibres(const unsigned int owned_index) const
-  {
-    return active_fibres[owned_index];
   }
 } // namespace lumbricus

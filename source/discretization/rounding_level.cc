@@ -52,11 +52,11 @@ namespace lumbricus
 
 
   void
-  RoundingLevel::add(const unsigned int    i,
-                     const ElementKernel  &kernel,
-                     const double         *pressure_modes,
-                     const double          mu,
-                     const ReferencePoint *references)
+  RoundingLevel::add(const unsigned int   i,
+                     const ElementKernel &kernel,
+                     const double        *pressure_modes,
+                     const double         mu,
+                     const MaterialPoint *points)
   {
     constexpr double eps           = std::numeric_limits<double>::epsilon();
     constexpr double n_of_response = 4.;
@@ -71,7 +71,7 @@ namespace lumbricus
 
     const double F   = kernel.F[middle].norm();
     const double p   = kernel.pressure(pressure_modes, middle);
-    const double S   = mu * references[middle].G_inverse.norm_square() +
+    const double S   = mu * points[middle].reference.G_inverse.norm_square() +
                      std::abs(p) * F;
     const double e_F = eps * (n_of_response * F + norms[i].gradient * u);
     const double e_f = S * e_F * norms[i].force;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/segment_state.h>
+#include <lumbricus/materials/cauchy_stress.h>
 
 #include <deal.II/grid/filtered_iterator.h>
 
@@ -46,6 +47,7 @@ namespace lumbricus
       {
         const unsigned int i      = cell_index++;
         const Region       region = Region::of(cell->material_id());
+        const Tissue      &tissue = anatomy.tissue(region.tissue);
         const bool         liquid = anatomy.is_liquid(region.tissue);
         SegmentState      &state  = states[region.segment];
 
@@ -60,15 +62,12 @@ namespace lumbricus
                 state.wall_volume += J * dV;
                 continue;
               }
-            anatomy.tissue(region.tissue)
-              .law()
-              .evaluate(kernel.F[q],
-                        kernel.pressure(shapes.pressure_modes(), q),
-                        references.cell(i)[q],
-                        false,
-                        response);
-            const auto sigma = dealii::symmetrize(
-              response.P * dealii::transpose(kernel.F[q]) / J);
+            tissue.evaluate(kernel.F[q],
+                            kernel.pressure(shapes.pressure_modes(), q),
+                            references.cell(i)[q],
+                            false,
+                            response);
+            const auto   sigma    = cauchy_stress(response.P, kernel.F[q]);
             const double p        = -trace(sigma) / dim;
             const double deviator = dealii::deviator(sigma).norm();
             state.liquid_volume += J * dV;

@@ -109,7 +109,7 @@ namespace lumbricus
     const dealii::parallel::TriangulationBase<dim> &triangulation) const
   {
     const auto times = times_to_try();
-    anatomy.try_active_stretches(triangulation, times);
+    anatomy.try_activations(triangulation, times);
     boundary_conditions.try_expressions(triangulation, times);
   }
 

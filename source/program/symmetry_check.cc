@@ -225,16 +225,18 @@ namespace lumbricus
             for (unsigned int m = 0; m < point.muscles->size(); ++m)
               {
                 const Muscle &muscle = *(*point.muscles)[m];
-                const double  lambda =
-                  muscle.active_stretch(t, point.segment, point.X);
-                const double strain = std::log(lambda);
-                sum += strain * point.mixed[m];
-                all += std::abs(strain);
-                slack += std::abs(strain) * point.slack[m];
-                if (std::abs(strain) * point.mixed[m].norm() > tolerance * all)
+                const double  activation =
+                  muscle.activation(t, point.segment, point.X);
+                const double strength = muscle.action().strength(activation);
+                sum += strength * point.mixed[m];
+                all += std::abs(strength);
+                slack += std::abs(strength) * point.slack[m];
+                if (std::abs(strength) * point.mixed[m].norm() >
+                    tolerance * all)
                   who << (n++ == 0 ? "'" : ", '") << muscle.name()
                       << "' (fibres at " << point.angle[m]
-                      << " degrees to it, active stretch " << lambda << ")";
+                      << " degrees to it, " << muscle.action().quantity()
+                      << " " << activation << ")";
               }
             if (!(sum.norm() > tolerance * all + slack))
               continue;
@@ -245,7 +247,7 @@ namespace lumbricus
                     << ": at time " << t << " at its point "
                     << point_text(point.X)
                     << ", where fibres have to be at 0 or 90 degrees to it, or "
-                       "crossed with the same active stretch. "
+                       "crossed and equally active. "
                     << anatomy.geometry().way_without_symmetry()
                     << " Where the other half is to have the mirror image of "
                        "these fibres, set 'Boundary conditions/Check symmetry' "

@@ -394,7 +394,7 @@ TEST(LoadPath, TakesAllDataFromOneTimeToAnother)
       const std::optional<double> from =
         from_rest ? std::optional<double>() : 0.2;
       const LoadTime way = LoadTime::between(from, 0.7, 0.25);
-      EXPECT_NEAR(body.parameters.anatomy.muscle(0).active_stretch(way, 1, X),
+      EXPECT_NEAR(body.parameters.anatomy.muscle(0).activation(way, 1, X),
                   0.75 * (from_rest ? 1. : 0.88) + 0.25 * 0.83,
                   1e-14);
       // From rest u is 0, and all of what is prescribed is missing.

@@ -12,8 +12,8 @@
 namespace lumbricus
 {
   /**
-   * The active stretch lambda of a muscle along its fibres: the stretch at
-   * which the muscle is free of stress. lambda < 1 is a contraction.
+   * How active a muscle is over time, as its MuscleAction takes it: an active
+   * stretch lambda, 1 at rest and less in a contraction, or something else.
    */
   class Activation : public ParameterOwner
   {
@@ -29,8 +29,8 @@ namespace lumbricus
     {}
 
     /**
-     * lambda at reference position @p X of segment @p segment (counted from
-     * one, as users do) at time @p t. The caller checks the range.
+     * The activation at reference position @p X of segment @p segment (counted
+     * from one, as users do) at time @p t. The caller checks the range.
      */
     virtual double
     value(const double              t,

@@ -35,21 +35,22 @@ namespace lumbricus
     void
     check_parameters() const override;
 
-    /** Read the muscles' expressions. Throws ExcInput. */
+    /** Give the tissues their muscles, and read the muscles' expressions.
+     * Throws ExcInput. */
     void
     initialize();
 
     /**
-     * Try the active stretch of every muscle in the middle of a cell of every
-     * segment it is in, at @p times. Throws ExcInput where it is not a
-     * positive number. Collective.
+     * Try the activation of every muscle in the middle of a cell of every
+     * segment it is in, at @p times. Throws ExcInput where the muscle's action
+     * cannot take it. Collective.
      */
     void
-    try_active_stretches(
+    try_activations(
       const dealii::parallel::TriangulationBase<dim> &triangulation,
       const std::vector<double>                      &times) const;
 
-    /** The active stretch of every muscle in every segment it is in, over time;
+    /** The activation of every muscle in every segment it is in, over time;
      * the same on all ranks. */
     std::vector<LoadCurve>
     load_curves(
@@ -108,8 +109,6 @@ namespace lumbricus
     NamedSections<Tissue>   tissues;
     NamedSections<Muscle>   muscles;
     std::vector<TissueName> tissue_names;
-
-    std::vector<std::vector<const Muscle *>> muscles_by_tissue;
   };
 } // namespace lumbricus
 

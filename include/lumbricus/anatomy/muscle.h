@@ -2,7 +2,7 @@
 #ifndef lumbricus_anatomy_muscle_h
 #define lumbricus_anatomy_muscle_h
 
-#include <lumbricus/activation/activation.h>
+#include <lumbricus/action/muscle_action.h>
 #include <lumbricus/core/load_curve.h>
 #include <lumbricus/core/load_time.h>
 #include <lumbricus/core/registry.h>
@@ -13,7 +13,7 @@
 
 namespace lumbricus
 {
-  /** A muscle: a family of fibres and its active stretch over time. */
+  /** A muscle: a family of fibres, and what it does along them over time. */
   class Muscle : public ParameterOwner
   {
   public:
@@ -42,6 +42,15 @@ namespace lumbricus
     std::string
     field_name() const;
 
+    /** The name of the field of its activation: "active_stretch_" and
+     * field_name(). */
+    std::string
+    activation_field_name() const;
+
+    /** What it does to the tissues in which its fibres run. */
+    const MuscleAction &
+    action() const;
+
     /**
      * The unit vector along the fibres at @p X. Throws ExcInput where they
      * have no direction, naming muscle and point.
@@ -54,30 +63,31 @@ namespace lumbricus
     fibres_are_sampled() const;
 
     /**
-     * The active stretch lambda at time @p t in segment @p segment (from one)
-     * at reference position @p X; 1 at rest. Throws ExcInput where it is not a positive
-     * number, naming muscle, segment and time.
+     * Its activation, which is its active stretch where its action is that, at
+     * time @p t in segment @p segment (from one) at reference position @p X.
+     * Throws ExcInput where it is not what MuscleAction::requirement() says,
+     * naming muscle, segment and time.
      */
     double
-    active_stretch(const LoadTime           &t,
-                   const unsigned int        segment,
-                   const dealii::Point<dim> &X) const;
+    activation(const LoadTime           &t,
+               const unsigned int        segment,
+               const dealii::Point<dim> &X) const;
 
-    /** lambda in segment @p segment over time, at some points of it, as it is:
-     * whether it is a positive number is not looked at. */
+    /** The activation in segment @p segment over time, at some points of it, as
+     * it is: MuscleAction::requirement() is not asked. */
     LoadCurve
     load_curve(const unsigned int                     segment,
                const std::vector<dealii::Point<dim>> &points) const;
 
   private:
     double
-    active_stretch_at(const double              t,
-                      const unsigned int        segment,
-                      const dealii::Point<dim> &X) const;
+    activation_at(const double              t,
+                  const unsigned int        segment,
+                  const dealii::Point<dim> &X) const;
 
-    const std::string  muscle_name;
-    Choice<FibreField> fibre_choice;
-    Choice<Activation> activation_choice;
+    const std::string    muscle_name;
+    Choice<FibreField>   fibre_choice;
+    Choice<MuscleAction> action_choice;
   };
 } // namespace lumbricus
 

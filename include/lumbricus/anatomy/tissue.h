@@ -2,6 +2,8 @@
 #ifndef lumbricus_anatomy_tissue_h
 #define lumbricus_anatomy_tissue_h
 
+#include <lumbricus/anatomy/material_point.h>
+#include <lumbricus/anatomy/muscle.h>
 #include <lumbricus/core/registry.h>
 #include <lumbricus/materials/material_law.h>
 
@@ -10,7 +12,8 @@
 
 namespace lumbricus
 {
-  /** A tissue of the body: its law and the muscles whose fibres run in it. */
+  /** A tissue of the body: its law and the muscles whose fibres run in it. What
+   * a point answers to its deformation is the answer of both. */
   class Tissue : public ParameterOwner
   {
   public:
@@ -32,6 +35,11 @@ namespace lumbricus
     void
     make_liquid();
 
+    /** Give it the muscles of muscle_names(), in that order; they are kept by
+     * reference. After the parameters are read, before evaluate(). */
+    void
+    initialize(const std::vector<const Muscle *> &muscles);
+
     /** The name of its section, see TissueName. */
     const std::string &
     name() const;
@@ -46,12 +54,38 @@ namespace lumbricus
 
     /** Names of sections in Muscles. */
     const std::vector<std::string> &
+    muscle_names() const;
+
+    /** Its muscles. */
+    const std::vector<const Muscle *> &
     muscles() const;
+
+    /** The reference map that its muscles make, where their fibres are @p
+     * fibres, one per muscle. */
+    ReferencePoint
+    reference_map(const std::vector<MuscleFibre> &fibres) const;
+
+    /**
+     * The response of the law and of the muscles at @p point: P, Q, c and
+     * dc_dp, and A where @p with_tangent, at the deformation gradient @p F with
+     * det F > 0 and the pressure variable @p p (positive in tension).
+     */
+    void
+    evaluate(const dealii::Tensor<2, dim> &F,
+             const double                  p,
+             const MaterialPoint          &point,
+             const bool                    with_tangent,
+             MaterialResponse             &response) const;
 
   private:
     const std::string        tissue_name;
     Choice<MaterialLaw>      law_choice;
-    std::vector<std::string> muscle_names;
+    std::vector<std::string> names_of_muscles;
+
+    // What was chosen, found once: evaluate() is called at every point.
+    const MaterialLaw                *chosen_law = nullptr;
+    std::vector<const Muscle *>       its_muscles;
+    std::vector<const MuscleAction *> actions;
   };
 } // namespace lumbricus
 

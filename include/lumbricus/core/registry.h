@@ -104,9 +104,19 @@ namespace lumbricus
 
 
 
+  /** Where the parameters of an implementation are that an entry chooses: in a
+   * section beside the entry that has its name, or beside the entry. */
+  enum class Placement
+  {
+    own_section,
+    beside_entry
+  };
+
+
+
   /**
    * One entry that chooses an implementation of @p Base by name, and the
-   * section of the same name with the parameters of the implementation chosen.
+   * parameters of the implementation chosen.
    */
   template <class Base>
   class Choice : public ParameterOwner
@@ -115,14 +125,16 @@ namespace lumbricus
     /**
      * The entry @p entry with this default, where empty means that the user has
      * to choose; the reference has @p documentation and a sentence for each
-     * implementation.
+     * implementation, whose parameters are at @p placement.
      */
     Choice(const std::string &entry,
            const std::string &default_name,
-           const std::string &documentation)
+           const std::string &documentation,
+           const Placement    placement = Placement::own_section)
       : entry(entry)
       , name(default_name)
       , documentation(documentation)
+      , placement(placement)
     {}
 
     /** Do this with every object before its parameters are declared, to change
@@ -154,9 +166,9 @@ namespace lumbricus
       bool extended = false;
       for (auto &object : objects)
         {
-          prm.enter_subsection(object.first);
+          enter_section(object.first, prm);
           extended |= object.second->extend_parameters(prm, extent);
-          prm.leave_subsection();
+          leave_section(prm);
         }
 
       if (extent == Extent::everything)
@@ -172,8 +184,13 @@ namespace lumbricus
     void
     check_parameters() const override
     {
-      if (const auto *object = get())
+      const auto *object = get();
+      if (object == nullptr)
+        return;
+      if (placement == Placement::own_section)
         within_section(name, [&]() { object->check_parameters(); });
+      else
+        object->check_parameters();
     }
 
     /** What the entry says; empty where nothing was chosen. */
@@ -215,6 +232,20 @@ namespace lumbricus
     }
 
   private:
+    void
+    enter_section(const std::string &which, dealii::ParameterHandler &prm) const
+    {
+      if (placement == Placement::own_section)
+        prm.enter_subsection(which);
+    }
+
+    void
+    leave_section(dealii::ParameterHandler &prm) const
+    {
+      if (placement == Placement::own_section)
+        prm.leave_subsection();
+    }
+
     bool
     declare(const std::string &which, dealii::ParameterHandler &prm)
     {
@@ -223,15 +254,16 @@ namespace lumbricus
       objects[which] = Registry<Base>::create(which);
       if (prepare)
         prepare(*objects[which]);
-      prm.enter_subsection(which);
+      enter_section(which, prm);
       objects[which]->declare_parameters(prm);
-      prm.leave_subsection();
+      leave_section(prm);
       return true;
     }
 
     const std::string                            entry;
     std::string                                  name;
     const std::string                            documentation;
+    const Placement                              placement;
     std::function<void(Base &)>                  prepare;
     std::map<std::string, std::unique_ptr<Base>> objects;
   };

@@ -46,7 +46,7 @@ namespace lumbricus
 
     /** One per component: displacement (3), pressure, Cauchy stress (9), J,
      * hydrostatic divergence, of every muscle the deformed fibre (3) and the
-     * active stretch, and the pressure variable p. */
+     * activation (its active stretch), and the pressure variable p. */
     const std::vector<std::string> &
     names() const;
 

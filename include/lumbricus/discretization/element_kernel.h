@@ -2,6 +2,7 @@
 #ifndef lumbricus_discretization_element_kernel_h
 #define lumbricus_discretization_element_kernel_h
 
+#include <lumbricus/anatomy/tissue.h>
 #include <lumbricus/discretization/cell_linearisation.h>
 
 #include <deal.II/base/types.h>
@@ -75,15 +76,15 @@ namespace lumbricus
 
     /**
      * Compute the integrals, and the linearisation where there is one.
-     * @param references one ReferencePoint per quadrature point.
+     * @param points one per quadrature point, of @p tissue.
      * @return the smallest determinant of F; where that is not positive,
      * nothing else is computed.
      */
     double
     evaluate(const ShapeCache::Cell &cell,
              const double           *pressure_modes,
-             const MaterialLaw      &law,
-             const ReferencePoint   *references,
+             const Tissue           &tissue,
+             const MaterialPoint    *points,
              CellLinearisation      *linearisation);
 
   private:

@@ -4,7 +4,6 @@
 
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/discretization/shape_cache.h>
-#include <lumbricus/reference_map/active_stretch.h>
 #include <lumbricus/reference_map/fluid_reset.h>
 
 #include <vector>
@@ -12,9 +11,10 @@
 namespace lumbricus
 {
   /**
-   * The reference map at every quadrature point of the locally owned cells:
-   * the active stretch of muscles, the rest shape of the liquid, the identity
-   * elsewhere. The only place that knows which cells are which.
+   * The MaterialPoint at every quadrature point of the locally owned cells: the
+   * fibres of muscles with what they make of the reference map, the rest shape
+   * of the liquid, the identity elsewhere. The only place that knows which
+   * cells are which.
    */
   class ReferenceField
   {
@@ -32,8 +32,8 @@ namespace lumbricus
     reinit();
 
     /**
-     * Set the active stretch of all muscles at time @p t. Throws ExcInput
-     * where a stretch is not a positive number. Collective.
+     * Set the activation of all muscles at time @p t. Throws ExcInput where a
+     * muscle's action cannot take it. Collective.
      */
     void
     update_muscles(const LoadTime &t);
@@ -51,25 +51,16 @@ namespace lumbricus
     void
     update(const State &state);
 
-    /** The maps at the quadrature points of an owned cell. */
-    const ReferencePoint *
+    /** Those at the quadrature points of an owned cell. */
+    const MaterialPoint *
     cell(const unsigned int owned_index) const;
-
-    /**
-     * Fibre directions and active stretches at the quadrature points of an
-     * owned cell: [q][muscle of the tissue], in the order of
-     * Anatomy::muscles_of(). Empty where there are no muscles.
-     */
-    const std::vector<std::vector<ActiveFibre>> &
-    fibres(const unsigned int owned_index) const;
 
   private:
     const MixedSpace &space;
     const ShapeCache &shapes;
     const Anatomy    &anatomy;
 
-    std::vector<ReferencePoint>                        points;
-    std::vector<std::vector<std::vector<ActiveFibre>>> active_fibres;
+    std::vector<MaterialPoint> points;
   };
 } // namespace lumbricus
 

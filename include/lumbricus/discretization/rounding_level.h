@@ -41,13 +41,13 @@ namespace lumbricus
     /** Add what cell @p i contributes, whose unknowns and F @p kernel has.
      * @param pressure_modes see ElementKernel::evaluate()
      * @param mu the shear modulus of its material [N/mm^2]
-     * @param references one ReferencePoint per quadrature point. */
+     * @param points one per quadrature point. */
     void
-    add(const unsigned int    i,
-        const ElementKernel  &kernel,
-        const double         *pressure_modes,
-        const double          mu,
-        const ReferencePoint *references);
+    add(const unsigned int   i,
+        const ElementKernel &kernel,
+        const double        *pressure_modes,
+        const double         mu,
+        const MaterialPoint *points);
 
     /** The sum of e_f^2 over the cells of this rank [N^2]. */
     double

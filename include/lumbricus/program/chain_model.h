@@ -86,7 +86,7 @@ namespace lumbricus
     ParallelMesh   triangulation; ///< the mesh at rest
     MixedSpace     space;         ///< the unknowns on it
     ShapeCache     shapes;        ///< their shape functions
-    ReferenceField references;    ///< G and J_v of muscles and liquid
+    ReferenceField references;    ///< fibres, G and J_v at all points
     Supports       supports;      ///< the constraints
     Assembler      assembler;     ///< residual and tangent
     Equilibrium    equilibrium;   ///< all that Newton's method sees

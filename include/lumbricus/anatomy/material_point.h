@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_anatomy_material_point_h
+#define lumbricus_anatomy_material_point_h
+
+#include <lumbricus/action/muscle_action.h>
+#include <lumbricus/reference_map/reference_point.h>
+
+#include <vector>
+
+namespace lumbricus
+{
+  /** What is known of a point of a tissue besides its deformation; by default a
+   * passive one at rest. */
+  struct MaterialPoint
+  {
+    /** G^(-1) and J_v. */
+    ReferencePoint reference;
+    /** Those of Tissue::muscles(), in their order. */
+    std::vector<MuscleFibre> fibres;
+  };
+} // namespace lumbricus
+
+#endif

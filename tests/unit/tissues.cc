@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a tissue answers: its law and what its muscles do. A kind of muscle that
+// the program does not have, an active stress, is added here by its own class
+// alone.
+#include <lumbricus/anatomy/muscle.h>
+#include <lumbricus/anatomy/tissue.h>
+#include <lumbricus/discretization/cell_fields.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/types.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "read_plugin.h"
+#include "specimen.h"
+
+using namespace lumbricus;
+using dealii::Tensor;
+
+namespace
+{
+  /**
+   * The activation is a tension T per area at rest, and with the stretch l = |F
+   * f| of the fibre
+   *
+   *   P = T s(l) F f x f / l,   s = 1 - ((l - 1)/w)^2,
+   *
+   * which is the derivative of T (l - (l - 1)^3/(3 w^2)).
+   */
+  class ActiveStress : public MuscleAction
+  {
+  public:
+    ActiveStress()
+      : MuscleAction("active stress", 0., "How the tension changes with time.")
+    {}
+
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override
+    {
+      MuscleAction::declare_parameters(prm);
+      prm.add_parameter("Width",
+                        w,
+                        "[1] By how much it has to be stretched to be lame.",
+                        dealii::Patterns::Double(0.1));
+    }
+
+    std::string
+    requirement(const double T) const override
+    {
+      return T >= 0. ? "" : "a number >= 0";
+    }
+
+    double
+    strength(const double T) const override
+    {
+      return T;
+    }
+
+    void
+    add_stress(const Tensor<2, dim> &F,
+               const MuscleFibre    &fibre,
+               const bool            with_tangent,
+               MaterialResponse     &response) const override
+    {
+      const Tensor<1, dim> a = F * fibre.f;
+      const double         l = a.norm(), e = (l - 1.) / w;
+      const Tensor<1, dim> n       = a / l;
+      const double         tension = fibre.activation * (1. - e * e);
+      response.P += tension * dealii::outer_product(n, fibre.f);
+      if (!with_tangent)
+        return;
+      const double slope = -2. * fibre.activation * e / w;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int J = 0; J < dim; ++J)
+          for (unsigned int k = 0; k < dim; ++k)
+            for (unsigned int L = 0; L < dim; ++L)
+              response.A[dim * i + J][dim * k + L] +=
+                (slope * n[i] * n[k] +
+                 tension / l * ((i == k) - n[i] * n[k])) *
+                fibre.f[J] * fibre.f[L];
+    }
+
+    static double
+    energy(const double T, const double l, const double w)
+    {
+      return T * (l - std::pow(l - 1., 3) / (3. * w * w));
+    }
+
+  private:
+    double w = 0.5;
+  };
+
+  const Register<MuscleAction, ActiveStress>
+    active_stress("active stress", "a tension along its fibres.");
+
+
+
+  // A tissue of a parameter file's text, with muscles of two actions.
+  class Flesh
+  {
+  public:
+    explicit Flesh(const std::string &muscles = "pull, shorten")
+    {
+      read(tissue,
+           "set Muscles = " + muscles +
+             "\nsubsection Neo-Hooke\n set a = 0.7\nend\n");
+      read(pull,
+           "set Fibres = direction\nset Action = active stress\n"
+           "set Width = 0.8\nset Active stress = expression\n"
+           "subsection direction\n set Direction = 0.6, 0, 0.8\nend\n"
+           "subsection expression\n set Formula = 0.3*t\nend\n");
+      read(shorten,
+           "set Fibres = direction\nset Active stretch = expression\n"
+           "subsection direction\n set Direction = 0, 1, 0\nend\n"
+           "subsection expression\n set Formula = 1 - 0.2*t\nend\n");
+      std::vector<const Muscle *> in_it;
+      for (const std::string &name : tissue.muscle_names())
+        in_it.push_back(name == "pull" ? &pull : &shorten);
+      pull.initialize(1);
+      shorten.initialize(1);
+      tissue.initialize(in_it);
+    }
+
+    // The point of the tissue at a time.
+    MaterialPoint
+    point(const double t) const
+    {
+      MaterialPoint point;
+      for (const Muscle *muscle : tissue.muscles())
+        point.fibres.push_back({muscle->fibre_direction({}),
+                                muscle->activation(t, 1, {})});
+      point.reference = tissue.reference_map(point.fibres);
+      return point;
+    }
+
+    Tissue tissue{"flesh"};
+    Muscle pull{"pull"}, shorten{"shorten"};
+
+  private:
+    static void
+    read(ParameterOwner &owner, const std::string &text)
+    {
+      dealii::ParameterHandler prm;
+      owner.declare_parameters(prm);
+      do
+        prm.parse_input_from_string(text, "", true);
+      while (owner.extend_parameters(prm, Extent::chosen));
+      prm.parse_input_from_string(text);
+      owner.check_parameters();
+    }
+  };
+
+
+
+  Tensor<2, dim>
+  gradient(const std::initializer_list<double> &entries)
+  {
+    Tensor<2, dim> F;
+    auto           entry = entries.begin();
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int J = 0; J < dim; ++J)
+        F[i][J] = *entry++;
+    return F;
+  }
+
+  const Tensor<2, dim> F_general =
+    gradient({1.3, 0.2, -0.1, 0.15, 0.8, 0.25, -0.3, 0.1, 1.1});
+  constexpr double p = 0.37;
+  constexpr double h = 1e-5;
+} // namespace
+
+
+
+TEST(Tissues, MapIsThatOfTheMusclesThatShorten)
+{
+  const Flesh         flesh;
+  const MaterialPoint point = flesh.point(0.5);
+  EXPECT_EQ(point.fibres[0].activation, 0.15);
+  EXPECT_EQ(point.fibres[1].activation, 0.9);
+  const ReferencePoint map =
+    active_stretch_map({{flesh.shorten.fibre_direction({}), 0.9}});
+  EXPECT_EQ((point.reference.G_inverse - map.G_inverse).norm(), 0.);
+  EXPECT_EQ(point.reference.J_v, 1.);
+
+  // Without one that shortens it is the identity, to the last bit.
+  const auto rest = Flesh("pull").point(0.5).reference;
+  EXPECT_EQ((rest.G_inverse - ReferencePoint().G_inverse).norm(), 0.);
+}
+
+
+
+TEST(Tissues, ResponseIsThatOfLawAndMuscles)
+{
+  // Bit for bit the law's where muscles only shorten.
+  const Flesh         shortens("shorten");
+  const MaterialPoint point = shortens.point(0.5);
+  MaterialResponse    law, all;
+  shortens.tissue.law().evaluate(F_general, p, point.reference, true, law);
+  shortens.tissue.evaluate(F_general, p, point, true, all);
+  EXPECT_EQ((all.P - law.P).norm(), 0.);
+  EXPECT_EQ((all.Q - law.Q).norm(), 0.);
+  EXPECT_EQ(all.c, law.c);
+  for (unsigned int iJ = 0; iJ < dim * dim; ++iJ)
+    for (unsigned int kL = 0; kL < dim * dim; ++kL)
+      EXPECT_EQ(all.A[iJ][kL], law.A[iJ][kL]);
+
+  // A muscle that pulls adds to the stress, and not to the volume.
+  const Flesh         both;
+  const MaterialPoint pulled = both.point(0.5);
+  both.tissue.law().evaluate(F_general, p, pulled.reference, true, law);
+  both.tissue.evaluate(F_general, p, pulled, true, all);
+  const Tensor<1, dim> f = pulled.fibres[0].f, a = F_general * f;
+  const double         l = a.norm();
+  const double         s = 1. - std::pow((l - 1.) / 0.8, 2);
+  const auto expected    = law.P + 0.15 * s / l * dealii::outer_product(a, f);
+  EXPECT_NEAR((all.P - expected).norm(), 0., 1e-15);
+  EXPECT_GT((all.P - law.P).norm(), 0.1);
+  EXPECT_EQ((all.Q - law.Q).norm(), 0.);
+  EXPECT_EQ(all.c, law.c);
+}
+
+
+
+TEST(Tissues, StressAndTangentAreDerivatives)
+{
+  const Flesh         flesh;
+  const MaterialPoint point = flesh.point(1.);
+  const double        T     = point.fibres[0].activation;
+  EXPECT_EQ(T, 0.3);
+  const auto energy = [&](const Tensor<2, dim> &F) {
+    return flesh.tissue.law().energy(F, p, point.reference) +
+           ActiveStress::energy(T, (F * point.fibres[0].f).norm(), 0.8);
+  };
+  MaterialResponse at, plus, minus;
+  flesh.tissue.evaluate(F_general, p, point, true, at);
+  for (unsigned int k = 0; k < dim; ++k)
+    for (unsigned int L = 0; L < dim; ++L)
+      {
+        Tensor<2, dim> F_plus = F_general, F_minus = F_general;
+        F_plus[k][L] += h;
+        F_minus[k][L] -= h;
+        EXPECT_NEAR(at.P[k][L],
+                    (energy(F_plus) - energy(F_minus)) / (2 * h),
+                    1e-9);
+        flesh.tissue.evaluate(F_plus, p, point, false, plus);
+        flesh.tissue.evaluate(F_minus, p, point, false, minus);
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int J = 0; J < dim; ++J)
+            {
+              EXPECT_NEAR(at.A[dim * i + J][dim * k + L],
+                          (plus.P[i][J] - minus.P[i][J]) / (2 * h),
+                          1e-7);
+              EXPECT_NEAR(at.A[dim * i + J][dim * k + L],
+                          at.A[dim * k + L][dim * i + J],
+                          1e-13);
+            }
+      }
+}
+
+
+
+TEST(Tissues, PulledBarHasTheClosedForm)
+{
+  // A bar of incompressible rubber whose fibres are at the angle of f to x:
+  // stretched by l along them and free across,
+  //   sigma = a (l^2 - 1/l) + T s(l) l.
+  const Flesh          flesh("pull");
+  const MaterialPoint  point = flesh.point(1.);
+  const Tensor<1, dim> f     = point.fibres[0].f;
+  const auto           ff    = dealii::outer_product(f, f);
+  const Tensor<2, dim> I     = dealii::unit_symmetric_tensor<dim>();
+  for (const double l : {0.6, 0.9, 1., 1.4})
+    {
+      const Tensor<2, dim> F = l * ff + (I - ff) / std::sqrt(l);
+      MaterialResponse     response;
+      flesh.tissue.evaluate(F, 0., point, false, response);
+      Tensor<2, dim> sigma = response.P * transpose(F);
+      sigma -= sigma[1][1] * I; // the pressure that frees it across
+      const double s = 1. - std::pow((l - 1.) / 0.8, 2);
+      const auto   expected =
+        (0.7 * (l * l - 1. / l) + point.fibres[0].activation * s * l) * ff;
+      EXPECT_NEAR((sigma - expected).norm(), 0., 1e-14) << l;
+    }
+}
+
+
+
+TEST(Tissues, MessagesNameWhatTheMuscleHas)
+{
+  const Flesh       flesh;
+  const std::string message =
+    input_error([&]() { flesh.pull.activation(-1., 1, {}); });
+  EXPECT_TRUE(contains(message, "The active stress of muscle 'pull'"))
+    << message;
+  EXPECT_TRUE(contains(message, "is -0.3; it has to be a number >= 0"))
+    << message;
+  EXPECT_TRUE(contains(message, "'Muscles/pull/expression'")) << message;
+  const LoadCurve curve = flesh.pull.load_curve(1, {{}});
+  EXPECT_EQ(curve.what, "the active stress of muscle 'pull'");
+  EXPECT_EQ(curve.at_rest, 0.);
+  EXPECT_EQ(flesh.shorten.load_curve(1, {{}}).at_rest, 1.);
+}
+
+
+
+TEST(Tissues, PullThroughoutTheProgram)
+{
+  // From the file to residual, tangent, fields and equilibrium of a free bar.
+  const std::string text = R"(
+subsection Geometry
+  set Shape = block
+  subsection block
+    set Lengths     = 2, 1, 1
+    set Cells       = 2, 1, 1
+    set Tissue name = flesh
+  end
+end
+subsection Tissues
+  subsection flesh
+    set Muscles = pull
+    subsection Neo-Hooke
+      set a = 0.7
+    end
+  end
+end
+subsection Muscles
+  subsection pull
+    set Fibres        = direction
+    set Action        = active stress
+    set Active stress = expression
+    subsection direction
+      set Direction = 1, 0, 0
+    end
+    subsection expression
+      set Formula = 0.2*t
+    end
+  end
+end
+)";
+  Specimen          body(text);
+  ChainModel       &model = *body.model;
+  body.state.time         = 0.5;
+  model.references.update(body.state);
+  const auto residual = [&](const Vector &u) {
+    Vector r(model.space.locally_owned, body.comm);
+    EXPECT_TRUE(model.assembler.residual(u, 0.5, r).valid());
+    return r;
+  };
+  model.equilibrium.set_time(0.5, body.state.solution);
+  model.equilibrium.start_from(body.state.solution);
+  EXPECT_GT(residual(body.state.solution).l2_norm(), 1e-3);
+
+  const Vector u = body.random(0.01, 1), d = body.random(1., 2);
+  model.assembler.linearise(u, 0.5);
+  const Tangent &tangent   = model.assembler.tangent();
+  const auto     free_part = [&](const Vector &v) {
+    CellVector result;
+    result.reinit(model.assembler.right_hand_side());
+    const auto &constrained = tangent.unknowns.is_constrained();
+    for (unsigned int i = 0; i < constrained.size(); ++i)
+      result.local_element(i) = constrained[i] ? 0. : v.begin()[i];
+    return result;
+  };
+  const double step = 1e-6;
+  Vector       plus = u, minus = u;
+  plus.add(step, d);
+  minus.add(-step, d);
+  Vector difference = residual(plus);
+  difference.add(-1., residual(minus));
+  difference /= 2. * step;
+  CellVector       Kd       = free_part(d);
+  const CellVector expected = free_part(difference);
+  tangent.vmult(Kd, free_part(d));
+  Kd -= expected;
+  EXPECT_LT(Kd.l2_norm(), 1e-7 * expected.l2_norm());
+
+  const CellFields fields(model.space,
+                          model.shapes,
+                          body.parameters.anatomy,
+                          model.references);
+  EXPECT_EQ(std::count(fields.names().begin(),
+                       fields.names().end(),
+                       "active_stress_pull"),
+            1);
+
+  // Its length l at rest is where 0 = a (l^2 - 1/l) + T s(l) l.
+  model.solve(body.state);
+  double l = 0.5, longer = 1.;
+  while (longer - l > 1e-13)
+    {
+      const double middle = (l + longer) / 2.;
+      const double s      = 1. - std::pow((middle - 1.) / 0.5, 2);
+      const double stress =
+        0.7 * (middle * middle - 1. / middle) + 0.1 * s * middle;
+      (stress < 0. ? l : longer) = middle;
+    }
+  EXPECT_LT(l, 0.97);
+  const Vector solution = model.space.with_ghosts(body.state.solution);
+  double       least = 1e9, most = -1e9;
+  std::vector<dealii::types::global_dof_index> indices(
+    model.space.fe.n_dofs_per_cell());
+  for (const auto &cell : model.space.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        cell->get_dof_indices(indices);
+        for (const unsigned int k : model.space.displacement_dof[0])
+          {
+            least = std::min<double>(least, solution(indices[k]));
+            most  = std::max<double>(most, solution(indices[k]));
+          }
+      }
+  least = dealii::Utilities::MPI::min(least, body.comm);
+  most  = dealii::Utilities::MPI::max(most, body.comm);
+  EXPECT_NEAR(most - least, 2. * (1. - l), 1e-7);
+}
