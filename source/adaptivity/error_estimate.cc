@@ -18,6 +18,9 @@ namespace lumbricus
   {
     using CellIterator = dealii::Triangulation<dim>::active_cell_iterator;
 
+    const std::string displacement_name = "displacement";
+    const std::string stress_name       = "cauchy_stress";
+
     unsigned int
     tissue(const CellIterator &cell)
     {
@@ -37,6 +40,8 @@ namespace lumbricus
         , fields(fields)
         , anatomy(anatomy)
         , fe(fields.dof_handler().get_fe())
+        , displacement(fields.components(displacement_name))
+        , stress(fields.components(stress_name))
         , indices(fe.n_dofs_per_cell())
       {}
 
@@ -47,11 +52,10 @@ namespace lumbricus
         for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
           {
             for (unsigned int c = 0; c < dim; ++c)
-              u[n][c] = value(CellFields::displacement_component + c, n);
+              u[n][c] = value(displacement[c], n);
             for (unsigned int i = 0; i < dim; ++i)
               for (unsigned int j = 0; j < dim; ++j)
-                sigma[n][i][j] =
-                  value(CellFields::stress_component + dim * i + j, n);
+                sigma[n][i][j] = value(stress[dim * i + j], n);
           }
         mu = anatomy.tissue(tissue(cell)).law().shear_modulus();
       }
@@ -85,6 +89,10 @@ namespace lumbricus
       const CellFields                 &fields;
       const Anatomy                    &anatomy;
       const dealii::FiniteElement<dim> &fe;
+
+      // Their components.
+      const std::vector<unsigned int> displacement;
+      const std::vector<unsigned int> stress;
 
       std::vector<dealii::types::global_dof_index>            indices;
       std::array<dealii::Tensor<1, dim>, MixedSpace::n_nodes> u;
@@ -198,6 +206,14 @@ namespace lumbricus
       return sum;
     }
   } // namespace
+
+
+
+  std::vector<std::string>
+  fields_for_estimate()
+  {
+    return {displacement_name, stress_name};
+  }
 
 
 

@@ -2,11 +2,13 @@
 #include <lumbricus/checkpoint/run_progress.h>
 #include <lumbricus/core/item_lines.h>
 #include <lumbricus/core/nodal_history.h>
-#include <lumbricus/output/vtu_series.h>
+#include <lumbricus/core/registry.h>
+#include <lumbricus/output/output_format.h>
 
 #include <cstdint>
 #include <iomanip>
 #include <limits>
+#include <memory>
 #include <ostream>
 #include <set>
 
@@ -38,14 +40,15 @@ namespace lumbricus
 
 
 
-  // A line per item: its name, then its values; names of files come last.
+  // A line per item: its name, then its values; names of files come last. The
+  // item of a picture has the name of its format.
   void
   RunProgress::write(std::ostream &out) const
   {
     out << std::setprecision(std::numeric_limits<double>::max_digits10)
         << "time " << time << "\nstep " << step << "\nstep_size " << step_size
         << "\nelapsed_seconds " << elapsed_seconds << "\nvtu_is_current "
-        << vtu_is_current << '\n';
+        << picture_is_current << '\n';
     for (const std::string &name : histories)
       out << "history " << name << '\n';
     for (const double t : past)
@@ -53,8 +56,8 @@ namespace lumbricus
     for (const auto &[name, content] : tables)
       out << "table " << content.size << ' ' << content.checksum << ' ' << name
           << '\n';
-    for (const auto &[t, name] : vtu_files)
-      out << "vtu " << t << ' ' << name << '\n';
+    for (const auto &[t, name] : pictures)
+      out << format << ' ' << t << ' ' << name << '\n';
   }
 
 
@@ -62,9 +65,10 @@ namespace lumbricus
   RunProgress
   RunProgress::read(const std::string &text)
   {
-    RunProgress           progress;
-    std::set<std::string> seen;
-    ItemLines             lines(text);
+    RunProgress                   progress;
+    std::set<std::string>         seen;
+    ItemLines                     lines(text);
+    std::unique_ptr<OutputFormat> format;
     while (lines.next())
       {
         const std::string item = lines.item();
@@ -79,13 +83,19 @@ namespace lumbricus
               lines.fail();
             continue;
           }
-        if (item == "vtu")
+        if (Registry<OutputFormat>::entries().count(item) > 0)
           {
+            if (progress.pictures.empty())
+              {
+                progress.format = item;
+                format          = Registry<OutputFormat>::create(item);
+              }
             const double      t    = lines.get_number(0.);
             const std::string name = lines.get_word();
-            if (name != VtuSeries::file_name(progress.vtu_files.size()))
+            if (item != progress.format ||
+                name != format->file_name(progress.pictures.size()))
               lines.fail();
-            progress.vtu_files.emplace_back(t, name);
+            progress.pictures.emplace_back(t, name);
             continue;
           }
         if (item == "history")
@@ -112,7 +122,7 @@ namespace lumbricus
         else if (item == "elapsed_seconds")
           progress.elapsed_seconds = lines.get_number(0.);
         else if (item == "vtu_is_current")
-          progress.vtu_is_current = lines.get_count(1);
+          progress.picture_is_current = lines.get_count(1);
         else
           AssertThrow(false, ExcUnknownItem(item));
         if (!seen.insert(item).second)
@@ -135,7 +145,7 @@ namespace lumbricus
       }
     AssertThrow(progress.past.size() <= most_past,
                 ExcDamaged("has more of a past than any run."));
-    AssertThrow(!progress.vtu_is_current || !progress.vtu_files.empty(),
+    AssertThrow(!progress.picture_is_current || !progress.pictures.empty(),
                 ExcDamaged("does not have the picture of its state."));
     return progress;
   }

@@ -34,23 +34,19 @@ namespace lumbricus
     : folder(folder)
     , name(name)
     , file_name(folder.path() + "/" + name)
-    , n_columns(columns.size())
     , comm(comm)
     , writes(dealii::Utilities::MPI::this_mpi_process(comm) == 0)
     , started(folder.continues(name))
+    , pending(columns)
   {
-    std::string first_line;
-    for (const std::string &column : columns)
-      first_line += (first_line.empty() ? "" : ",") + column;
-    first_line += '\n';
-
     folder.claim(name);
-    pending.precision(15);
     if (started)
       {
         content = folder.content(name);
         throw_on_all_ranks<ExcInput>(
-          !writes || begins_with(file_name, first_line, content.value().size) ?
+          !writes || begins_with(file_name,
+                                 pending.first_line(),
+                                 content.value().size) ?
             "" :
             "The table '" + file_name +
               "' has other columns than this version writes. Go on with the "
@@ -58,21 +54,14 @@ namespace lumbricus
               "file.",
           comm);
       }
-    else
-      pending << first_line;
   }
 
 
 
-  std::string
-  csv_text(const std::string &text)
+  TableRows &
+  CsvTable::rows()
   {
-    if (text.find_first_of(",\"\n\r") == std::string::npos)
-      return text;
-    std::string quoted = "\"";
-    for (const char c : text)
-      quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + "\"";
+    return pending;
   }
 
 
@@ -86,20 +75,10 @@ namespace lumbricus
 
 
   void
-  CsvTable::end_row()
-  {
-    AssertDimension(n_entries, n_columns);
-    pending << '\n';
-    n_entries = 0;
-  }
-
-
-
-  void
   CsvTable::flush()
   {
-    const std::string rows = pending.str();
-    pending.str("");
+    const std::string rows =
+      (started ? "" : pending.first_line()) + pending.take();
     if (!started)
       folder.write_collectively(name, writes, [&](std::ostream &out) {
         out << rows;
@@ -113,7 +92,7 @@ namespace lumbricus
 
 
   std::string
-  CsvTable::append(const std::string &rows) const
+  CsvTable::append(const std::string &text) const
   {
     const std::string begin =
       "The file '" + file_name + "' cannot be written: ";
@@ -124,7 +103,7 @@ namespace lumbricus
     if (present != content.value().size)
       return begin + "somebody else has changed it.";
     std::ofstream out(file_name, std::ios::app);
-    out << rows << std::flush;
+    out << text << std::flush;
     return out ? "" : begin + std::strerror(errno) + ".";
   }
 } // namespace lumbricus

@@ -38,8 +38,7 @@ namespace lumbricus
     model.create(checkpoint);
     // A run that goes on keeps the points that it took on its first mesh.
     if (checkpoint == nullptr)
-      point_notes =
-        Probes::check(parameters.probe_points.points(), model.space);
+      table_notes = parameters.output_parts.check(model.space);
   }
 
 
@@ -57,7 +56,7 @@ namespace lumbricus
         << (dealii::Utilities::MPI::n_mpi_processes(comm) == 1 ? "" : "s")
         << "\n"
         << parameters.unit_check.warnings(parameters.anatomy)
-        << StiffnessRatio(parameters.anatomy).warning() << point_notes;
+        << StiffnessRatio(parameters.anatomy).warning() << table_notes;
   }
 
 
@@ -77,7 +76,7 @@ namespace lumbricus
                                         model.shapes,
                                         parameters.anatomy,
                                         model.references,
-                                        parameters.probe_points.points(),
+                                        parameters.output_parts,
                                         parameters.output_every);
   }
 

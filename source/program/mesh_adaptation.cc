@@ -112,9 +112,11 @@ namespace lumbricus
       CellFields        fields(model.space,
                         model.shapes,
                         model.parameters.anatomy,
-                        model.references);
+                        model.references,
+                        model.parameters.output_parts.field_arrays(
+                          fields_for_estimate()));
       fields.reinit();
-      fields.update(state.solution);
+      fields.update(state);
       const ErrorEstimate estimate = estimate_errors(adaptivity.estimator(),
                                                      fields,
                                                      model.space,

@@ -31,6 +31,7 @@ namespace lumbricus
                                            "Interface",
                                            "Reset/Mode",
                                            "Output/Folder",
+                                           "Output/Format",
                                            "Output/Points"};
 
     void
@@ -145,7 +146,7 @@ namespace lumbricus
                  "parameter file.";
       AssertThrow(progress.time <= stepping.end_time() * (1. + 1e-12),
                   ExcParameter("Time/End", message.str()));
-      return progress.vtu_is_current;
+      return progress.picture_is_current;
     }
 
 

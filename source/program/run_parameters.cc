@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/registry.h>
+#include <lumbricus/output/field.h>
+#include <lumbricus/output/table.h>
 #include <lumbricus/program/run_parameters.h>
 
 namespace lumbricus
@@ -43,10 +46,13 @@ namespace lumbricus
                       dealii::Patterns::DirectoryName());
     prm.add_parameter("Every",
                       output_every,
-                      "[-] Write VTU files after every so many load steps, and "
-                      "at the end; 0 for the end only. Tables have every step.",
+                      "[-] Write pictures after every so many load steps, and "
+                      "at the end; 0 for the end only. They have the fields" +
+                        Registry<Field>::descriptions() +
+                        " Every step is in the tables" +
+                        Registry<Table>::descriptions(),
                       dealii::Patterns::Integer(0));
-    probe_points.declare_parameters(prm);
+    output_parts.declare_parameters(prm);
     prm.leave_subsection();
   }
 
@@ -62,6 +68,9 @@ namespace lumbricus
     prm.enter_subsection("Linear solver");
     extended |= linear_solver.extend_parameters(prm, extent);
     prm.leave_subsection();
+    prm.enter_subsection("Output");
+    extended |= output_parts.extend_parameters(prm, extent);
+    prm.leave_subsection();
     return extended;
   }
 
@@ -76,7 +85,7 @@ namespace lumbricus
     load_stepping.check_parameters();
     within_section("Linear solver",
                    [&]() { linear_solver.check_parameters(); });
-    probe_points.points();
+    within_section("Output", [&]() { output_parts.check_parameters(); });
   }
 
 
@@ -88,6 +97,7 @@ namespace lumbricus
     mesh_refinement.initialize();
     adaptivity.initialize(anatomy, mesh_refinement.n_global_refinements());
     boundary_conditions.initialize(anatomy.geometry());
+    output_parts.initialize(anatomy);
   }
 
 

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A law, a geometry and an activation from outside the tree, in a program that finds
-this one with CMake: in its build folder, and where it is installed."""
+"""A law, a geometry, an activation, a table and a field from outside the tree, in a
+program that finds this one with CMake: in its build folder, and where it is
+installed."""
 # On Debian 13 neither of the two could be built: deal.II is set there to link with
 # mold, which nothing installs, and CMake, told nothing, writes files for make, which
 # is missing too. So deal.II asks here for a linker that does not exist, and the
 # generator is that of this build.
+import csv
 import math
 import os
 import subprocess
+
+import pytest
 
 from lumbricus_run import SOURCE
 
@@ -36,45 +40,69 @@ def deal_ii_without_linker(folder):
     return folder
 
 
-def run(program, case, folder):
-    """The rows of points.csv, or of segments.csv where there are no points."""
-    process = subprocess.run([program, EXAMPLE / case, "--output", folder],
-                             capture_output=True, text=True, timeout=60)
-    assert process.returncode == 0, process.stdout + process.stderr
-    table = folder / "points.csv"
-    if not table.exists():
-        table = folder / "segments.csv"
-    header, *rows = [line.split(",") for line in table.read_text().splitlines()]
-    return [dict(zip(header, map(float, row))) for row in rows]
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory):
+    """Where the program is installed."""
+    folder = tmp_path_factory.mktemp("installed")
+    cmake("--install", os.environ["BUILD_FOLDER"], "--prefix", folder)
+    return folder
 
 
-def test_parts_of_another_project(tmp_path):
-    installed = tmp_path / "installed"
-    cmake("--install", os.environ["BUILD_FOLDER"], "--prefix", installed)
-    package = next(installed.glob("lib*/**/LumbricusConfig.cmake")).parent
+@pytest.fixture(scope="module")
+def package(installed):
+    return next(installed.glob("lib*/**/LumbricusConfig.cmake")).parent
+
+
+@pytest.fixture(scope="module")
+def mine(tmp_path_factory, package):
+    """The program with the parts of the example."""
+    base = tmp_path_factory.mktemp("example")
     # In the build folder it is found too; one of the two is enough to compile.
-    cmake("-S", EXAMPLE, "-B", tmp_path / "beside", "-G", os.environ["GENERATOR"],
+    cmake("-S", EXAMPLE, "-B", base / "beside", "-G", os.environ["GENERATOR"],
           f"-DLumbricus_DIR={os.environ['BUILD_FOLDER']}",
           f"-DCMAKE_BUILD_TYPE={os.environ['BUILD_TYPE']}")
-    deal_ii = deal_ii_without_linker(tmp_path / "deal.II")
-    said = cmake("-S", EXAMPLE, "-B", tmp_path / "build",
+    deal_ii = deal_ii_without_linker(base / "deal.II")
+    said = cmake("-S", EXAMPLE, "-B", base / "build",
                  "-G", os.environ["GENERATOR"], f"-Ddeal.II_DIR={deal_ii}",
                  f"-DLumbricus_DIR={package}")
     assert f"a linker that is missing ({NO_LINKER})" in said
     assert said.count("a linker that is missing") == 1
-    cmake("--build", tmp_path / "build")
+    cmake("--build", base / "build")
+    return base / "build" / "my_lumbricus"
 
+
+def rows_of(table):
+    """The rows of a table, as dictionaries of numbers."""
+    with open(table) as file:
+        return [{name: float(value) for name, value in row.items()}
+                for row in csv.DictReader(file)]
+
+
+def run(program, *arguments, ranks=1):
+    """Let it run, which has to go well."""
+    mpirun = [os.environ["MPIRUN"], "-np", str(ranks)] if ranks > 1 else []
+    process = subprocess.run([*mpirun, program, *map(str, arguments)],
+                             capture_output=True, text=True, timeout=120)
+    assert process.returncode == 0, process.stdout + process.stderr
+
+
+def stress_at(l):
+    """Of the bar, pulled to l times its length."""
+    return 0.1 * math.exp(0.5 * (l * l + 2 / l - 3)) * (l * l - 1 / l)
+
+
+def test_parts_of_another_project(mine, installed, tmp_path):
     # The law: a bar that is pulled.
-    mine = tmp_path / "build" / "my_lumbricus"
-    for row in run(mine, "case.prm", tmp_path / "law"):
+    run(mine, EXAMPLE / "case.prm", "--output", tmp_path / "law")
+    for row in rows_of(tmp_path / "law" / "points.csv"):
         l = 1 + row["t"]
-        exact = 0.1 * math.exp(0.5 * (l * l + 2 / l - 3)) * (l * l - 1 / l)
-        assert abs(row["sxx"] - exact) < 1e-8
+        assert abs(row["sxx"] - stress_at(l)) < 1e-8
     assert l == 2
 
     # The geometry and the activation: nothing holds it, so it is as long as its
     # fibres want to be, and keeps the volume of a frustum.
-    rows = run(mine, "twitch.prm", tmp_path / "twitch")
+    run(mine, EXAMPLE / "twitch.prm", "--output", tmp_path / "twitch")
+    rows = rows_of(tmp_path / "twitch" / "segments.csv")
     assert len(rows) == 5
     for row in rows:
         stretch = 1 - 0.1 * math.sin(math.pi * row["t"])**2
@@ -82,9 +110,78 @@ def test_parts_of_another_project(tmp_path):
         assert abs(row["wall_volume"] - 10 / 3 * (4 + 2 + 1)) < 1e-9
     assert min(row["length"] for row in rows) < 9.01
 
+    # The table: what nothing pulls at has no mean stress.
+    rows = rows_of(tmp_path / "twitch" / "mean_stress.csv")
+    assert len(rows) == 5
+    for row in rows:
+        assert abs(row["volume"] - 10 / 3 * (4 + 2 + 1)) < 1e-9
+        assert max(abs(row["s" + 2 * axis]) for axis in "xyz") < 1e-8
+
     # The program itself runs from where it is installed, and lacks that law.
     process = subprocess.run([installed / "bin" / "lumbricus",
                               EXAMPLE / "case.prm", "--check"],
                              capture_output=True, text=True, timeout=60)
     assert process.returncode == 1
     assert "'exponential'" in process.stderr
+
+
+def check_table(folder, end):
+    """The mean stress of the bar, after every step once."""
+    rows = rows_of(folder / "mean_stress.csv")
+    assert [row["step"] for row in rows] == list(range(len(rows)))
+    assert [row["t"] for row in rows] == [
+        row["t"] for row in rows_of(folder / "steps.csv")]
+    assert rows[-1]["t"] == end and len(rows) > 10 * end
+    for row in rows:
+        assert abs(row["volume"] - 1) < 1e-9
+        assert abs(row["sxx"] - stress_at(1 + row["t"])) < 1e-8
+        assert abs(row["syy"]) < 1e-8 and abs(row["szz"]) < 1e-8
+
+
+def check_field(folder):
+    """The strain of the bar, at every node of every picture."""
+    pyvista = pytest.importorskip("pyvista")
+    reader = pyvista.get_reader(folder / "solution.pvd")
+    assert reader.time_values[0] == 0 and reader.time_values[-1] == 1
+    assert len(reader.time_values) == len(rows_of(folder / "steps.csv"))
+    for t in reader.time_values:
+        reader.set_active_time_value(t)
+        l = 1 + t
+        across = 0.5 * (1 / l - 1)
+        exact = [0.5 * (l * l - 1), 0, 0, 0, across, 0, 0, 0, across]
+        strain = reader.read()[0].point_data["green_strain"]
+        assert strain.shape == (2 * 27, 9)
+        # The files have numbers in single precision.
+        assert abs(strain - exact).max() < 1e-6
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_table_and_a_field_over_a_restart(mine, tmp_path, ranks):
+    run(mine, EXAMPLE / "case.prm", "--output", tmp_path,
+        "--set", "Time/End=0.5", ranks=ranks)
+    check_table(tmp_path, 0.5)
+    run(mine, "--restart", tmp_path, "--set", "Time/End=1", ranks=ranks)
+    check_table(tmp_path, 1)
+    check_field(tmp_path)
+
+
+def test_a_table_whose_name_is_taken(package, tmp_path):
+    text = (EXAMPLE / "mean_stress.cc").read_text()
+    assert text.count('"mean_stress"') == 1
+    (tmp_path / "taken.cc").write_text(text.replace('"mean_stress"', '"steps"'))
+    (tmp_path / "CMakeLists.txt").write_text(
+        (EXAMPLE / "CMakeLists.txt").read_text().split("add_executable")[0] +
+        f"add_executable(taken {EXAMPLE}/main.cc taken.cc)\n"
+        "lumbricus_setup_target(taken)\n"
+        "set_property(TARGET taken APPEND PROPERTY\n"
+        "  LINK_LIBRARIES Lumbricus::lumbricus)\n")
+    cmake("-S", tmp_path, "-B", tmp_path / "build",
+          "-G", os.environ["GENERATOR"], f"-DLumbricus_DIR={package}")
+    cmake("--build", tmp_path / "build")
+    process = subprocess.run([tmp_path / "build" / "taken",
+                              SOURCE / "tests" / "errors" / "block.prm",
+                              "--output", tmp_path / "results"],
+                             capture_output=True, text=True, timeout=60)
+    assert process.returncode == 1
+    assert "Two tables have registered themselves as 'steps'" in process.stderr
+    assert not (tmp_path / "results").exists()

@@ -3,8 +3,9 @@
 #define lumbricus_adaptivity_error_estimate_h
 
 #include <lumbricus/adaptivity/error_estimator.h>
-#include <lumbricus/discretization/cell_fields.h>
+#include <lumbricus/output/cell_fields.h>
 
+#include <string>
 #include <vector>
 
 namespace lumbricus
@@ -27,7 +28,12 @@ namespace lumbricus
 
 
 
-  /** Estimate the error of the solution that @p fields are of. Collective. */
+  /** The fields that estimate_errors() needs. */
+  std::vector<std::string>
+  fields_for_estimate();
+
+  /** Estimate the error of the solution that @p fields are of, which have to
+   * have fields_for_estimate(). Collective. */
   ErrorEstimate
   estimate_errors(const ErrorEstimator &estimator,
                   const CellFields     &fields,

@@ -27,10 +27,12 @@ namespace lumbricus
     double elapsed_seconds = 0.; ///< of all runs up to here
     /** What there is of the tables. */
     std::map<std::string, Fingerprint> tables;
-    /** The VTU files so far, by time. */
-    std::vector<std::pair<double, std::string>> vtu_files;
+    /** The OutputFormat of the pictures, as users name it. */
+    std::string format;
+    /** The pictures so far, see OutputFormat::Pictures. */
+    std::vector<std::pair<double, std::string>> pictures;
     /** Whether the last of them is that of this state. */
-    bool vtu_is_current = false;
+    bool picture_is_current = false;
 
     /** Write it as lines of an item and its values. */
     void

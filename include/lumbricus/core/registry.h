@@ -43,6 +43,26 @@ namespace lumbricus
       return all;
     }
 
+    /** Names that a second implementation has wished to have; complete before
+     * main() starts. */
+    static std::vector<std::string> &
+    names_taken()
+    {
+      static std::vector<std::string> all;
+      return all;
+    }
+
+    /** Throw ExcInput where two implementations have the same name; @p what
+     * they are is for the message, as "tables". */
+    static void
+    check_names(const std::string &what)
+    {
+      AssertThrow(names_taken().empty(),
+                  ExcInput("Two " + what + " have registered themselves as '" +
+                           names_taken().front() +
+                           "'. Give yours another name in its Register."));
+    }
+
     /** Make the one called @p name, which has to be there. */
     static std::unique_ptr<Base>
     create(const std::string &name)
@@ -93,12 +113,14 @@ namespace lumbricus
   {
     /**
      * Under @p name; @p description is a sentence for the parameter reference.
+     * Where the name is taken it has no effect, see Registry::check_names().
      */
     Register(const std::string &name, const std::string &description)
     {
-      Registry<Base>::entries()[name] = {description, []() {
-                                           return std::make_unique<Derived>();
-                                         }};
+      const typename Registry<Base>::Entry entry = {
+        description, []() { return std::make_unique<Derived>(); }};
+      if (!Registry<Base>::entries().emplace(name, entry).second)
+        Registry<Base>::names_taken().push_back(name);
     }
   };
 
@@ -148,6 +170,7 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override
     {
+      Registry<Base>::check_names("choices of '" + entry + "'");
       // An empty default means that the user has to choose.
       const std::string none = name.empty() ? "|" : "";
       prm.add_parameter(entry,

@@ -3,9 +3,8 @@
 #define lumbricus_output_csv_table_h
 
 #include <lumbricus/output/run_folder.h>
+#include <lumbricus/output/table_rows.h>
 
-#include <cstdint>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,8 +12,7 @@
 namespace lumbricus
 {
   /**
-   * A table on disk in the comma-separated form of RFC 4180, grown by whole
-   * rows. Only rank 0 holds and writes it.
+   * A table on disk, grown by whole rows. Only rank 0 writes it.
    */
   class CsvTable
   {
@@ -28,14 +26,9 @@ namespace lumbricus
              const std::vector<std::string> &columns,
              const MPI_Comm                  comm);
 
-    /** Add an entry to the row being made; numbers with 15 digits. */
-    template <typename T>
-    CsvTable &
-    operator<<(const T &entry);
-
-    /** End the row. */
-    void
-    end_row();
+    /** Where the rows are made. */
+    TableRows &
+    rows();
 
     /** Its name in the folder and what there is of it, on rank 0. */
     std::pair<std::string, Fingerprint>
@@ -52,36 +45,17 @@ namespace lumbricus
   private:
     /** Add to the file. @return why that is not possible, or "". */
     std::string
-    append(const std::string &rows) const;
+    append(const std::string &text) const;
 
     const RunFolder   &folder;
     const std::string  name;
     const std::string  file_name;
-    const std::size_t  n_columns;
     const MPI_Comm     comm;
     const bool         writes;
-    bool               started   = false;
-    std::size_t        n_entries = 0;
+    bool               started = false;
+    TableRows          pending;
     GrowingFingerprint content; ///< of the file
-    std::ostringstream pending;
   };
-
-
-
-  /** @p text as an entry of a table: in quotes where it needs them. */
-  std::string
-  csv_text(const std::string &text);
-
-
-
-  template <typename T>
-  CsvTable &
-  CsvTable::operator<<(const T &entry)
-  {
-    pending << (n_entries == 0 ? "" : ",") << entry;
-    ++n_entries;
-    return *this;
-  }
 } // namespace lumbricus
 
 #endif

@@ -139,8 +139,8 @@ namespace lumbricus
     /** Whose changes divide steps, of what that was said. */
     std::set<std::string> said_to_divide;
 
-    /** What to say about points that are not in the body. */
-    std::string point_notes;
+    /** What tables have to say about the first mesh. */
+    std::string table_notes;
   };
 } // namespace lumbricus
 

@@ -10,7 +10,7 @@
 #include <lumbricus/core/load_stepping.h>
 #include <lumbricus/discretization/interface_coupling.h>
 #include <lumbricus/loads/boundary_conditions.h>
-#include <lumbricus/output/probes.h>
+#include <lumbricus/output/output_parts.h>
 #include <lumbricus/program/stability_watch.h>
 #include <lumbricus/program/symmetry_check.h>
 #include <lumbricus/program/unit_check.h>
@@ -82,9 +82,9 @@ namespace lumbricus
     StabilityWatch       stability_watch;     ///< section Stability
     /** Where results go. */
     std::string output_folder = "results";
-    /** Load steps from one VTU file to the next; 0 for the last state only. */
+    /** Load steps from one picture to the next; 0 for the last state only. */
     unsigned int output_every = 1;
-    ProbePoints  probe_points; ///< entry Output/Points
+    OutputParts  output_parts; ///< the other entries of section Output
   };
 } // namespace lumbricus
 

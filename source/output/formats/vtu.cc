@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/output/vtu_series.h>
+#include <lumbricus/core/registry.h>
+#include <lumbricus/output/output_format.h>
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/lac/vector.h>
+#include <deal.II/numerics/data_component_interpretation.h>
 #include <deal.II/numerics/data_out.h>
 
 #include <map>
@@ -65,31 +67,44 @@ namespace lumbricus
 
 
 
+    Interpretation::DataComponentInterpretation
+    interpretation_of(const Field::Kind kind)
+    {
+      switch (kind)
+        {
+          case Field::Kind::vector:
+            return Interpretation::component_is_part_of_vector;
+          case Field::Kind::tensor:
+            return Interpretation::component_is_part_of_tensor;
+          default:
+            return Interpretation::component_is_scalar;
+        }
+    }
+
+
+
     // DataOut with any names for the fields: it takes letters and digits alone,
     // and writes them as they are.
     class NamedDataOut : public dealii::DataOut<dim>
     {
     public:
-      // Add a vector whose components have the names @p names.
       void
-      add_fields(
-        const dealii::DoFHandler<dim>  &dof_handler,
-        const Vector                   &values,
-        const std::vector<std::string> &names,
-        const std::vector<Interpretation::DataComponentInterpretation>
-          &interpretations)
+      add(const CellFields &fields)
       {
-        std::map<std::string, std::string> stand_ins;
-        std::vector<std::string>           taken;
-        for (const std::string &name : names)
+        std::vector<std::string>                                 names;
+        std::vector<Interpretation::DataComponentInterpretation> kinds;
+        for (const FieldArray &array : fields.nodal_arrays())
           {
-            const std::string next = "field" + std::to_string(shown.size());
-            const auto [entry, is_new] = stand_ins.insert({name, next});
-            if (is_new)
-              shown[next] = xml_text(name);
-            taken.push_back(entry->second);
+            const unsigned int n = array.field->n_components();
+            names.insert(names.end(), n, stand_in_for(array.name));
+            kinds.insert(kinds.end(),
+                         n,
+                         interpretation_of(array.field->kind()));
           }
-        add_data_vector(dof_handler, values, taken, interpretations);
+        add_data_vector(fields.dof_handler(), fields.values(), names, kinds);
+        for (unsigned int i = 0; i < fields.cell_arrays().size(); ++i)
+          add_data_vector(fields.cell_values(i),
+                          stand_in_for(fields.cell_arrays()[i].name));
       }
 
     protected:
@@ -117,6 +132,14 @@ namespace lumbricus
 
     private:
       std::string
+      stand_in_for(const std::string &name)
+      {
+        const std::string next = "field" + std::to_string(shown.size());
+        shown[next]            = xml_text(name);
+        return next;
+      }
+
+      std::string
       shown_name(const std::string &name) const
       {
         const auto entry = shown.find(name);
@@ -129,31 +152,58 @@ namespace lumbricus
 
 
 
-  VtuSeries::VtuSeries(RunFolder        &folder,
-                       const MixedSpace &space,
-                       const Anatomy    &anatomy)
-    : folder(folder)
-    , space(space)
-    , anatomy(anatomy)
+  /**
+   * VTU files for ParaView: for every time one per rank and a PVTU that joins
+   * them, and solution.pvd over all times. The geometry is the reference
+   * configuration; warp by the displacement.
+   */
+  class Vtu : public OutputFormat
   {
-    folder.claim(series_name);
-    folder.claim_folder(sub_folder, [](const std::string &name) {
-      return number_of(name).has_value();
-    });
-  }
+  public:
+    std::string
+    file_name(const unsigned int number) const override;
+
+    void
+    claim(RunFolder &folder) override;
+
+    void
+    write(const State &state, const CellFields &fields) override;
+
+    const Pictures &
+    pictures() const override;
+
+    void
+    continue_after(const Pictures &pictures) override;
+
+  private:
+    const RunFolder *folder = nullptr;
+    Pictures         times_and_names;
+  };
 
 
 
   std::string
-  VtuSeries::file_name(const unsigned int number)
+  Vtu::file_name(const unsigned int number) const
   {
     return sub_folder + "/" + base_name(number) + ".pvtu";
   }
 
 
 
-  const std::vector<std::pair<double, std::string>> &
-  VtuSeries::files() const
+  void
+  Vtu::claim(RunFolder &run_folder)
+  {
+    folder = &run_folder;
+    run_folder.claim(series_name);
+    run_folder.claim_folder(sub_folder, [](const std::string &name) {
+      return number_of(name).has_value();
+    });
+  }
+
+
+
+  const OutputFormat::Pictures &
+  Vtu::pictures() const
   {
     return times_and_names;
   }
@@ -161,14 +211,13 @@ namespace lumbricus
 
 
   void
-  VtuSeries::continue_after(
-    const std::vector<std::pair<double, std::string>> &files)
+  Vtu::continue_after(const Pictures &pictures)
   {
-    times_and_names = files;
-    folder.on_first_rank([&]() {
-      folder.remove(sub_folder, [&](const std::string &name) {
+    times_and_names = pictures;
+    folder->on_first_rank([&]() {
+      folder->remove(sub_folder, [&](const std::string &name) {
         const auto number = number_of(name);
-        return number && *number >= files.size();
+        return number && *number >= pictures.size();
       });
     });
   }
@@ -176,23 +225,12 @@ namespace lumbricus
 
 
   void
-  VtuSeries::write(const State &state, const CellFields &cell_fields)
+  Vtu::write(const State &state, const CellFields &fields)
   {
+    const MixedSpace  &space   = fields.space;
     const MPI_Comm     comm    = space.communicator();
     const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(comm);
     const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
-
-    dealii::Vector<double> segment(space.triangulation.n_active_cells());
-    dealii::Vector<double> tissue(segment.size());
-    dealii::Vector<double> owner(segment.size());
-    for (const auto &cell : space.triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const Region region                = Region::of(cell->material_id());
-          segment[cell->active_cell_index()] = region.segment + 1;
-          tissue[cell->active_cell_index()]  = region.tissue;
-          owner[cell->active_cell_index()]   = rank;
-        }
 
     NamedDataOut                  data_out;
     dealii::DataOutBase::VtkFlags flags;
@@ -201,13 +239,7 @@ namespace lumbricus
     flags.cycle                    = times_and_names.size();
     data_out.set_flags(flags);
     data_out.attach_triangulation(space.triangulation);
-    data_out.add_fields(cell_fields.dof_handler(),
-                        cell_fields.values(),
-                        cell_fields.names(),
-                        cell_fields.interpretations());
-    data_out.add_data_vector(segment, "segment");
-    data_out.add_data_vector(tissue, "tissue");
-    data_out.add_data_vector(owner, "rank");
+    data_out.add(fields);
     data_out.build_patches(space.mapping,
                            MixedSpace::degree,
                            dealii::DataOut<dim>::curved_inner_cells);
@@ -217,25 +249,28 @@ namespace lumbricus
     std::vector<std::string> pieces;
     for (unsigned int r = 0; r < n_ranks; ++r)
       pieces.push_back(base_name(number) + "." + std::to_string(r) + ".vtu");
-    folder.on_first_rank([&]() {
+    folder->on_first_rank([&]() {
       std::vector<std::string> names = {whole};
       for (const std::string &piece : pieces)
         names.push_back(sub_folder + "/" + piece);
-      folder.record().add_files(names);
+      folder->record().add_files(names);
     });
-    folder.write_collectively(sub_folder + "/" + pieces[rank],
-                              true,
-                              [&](std::ostream &out) {
-                                data_out.write_vtu(out);
-                              });
+    folder->write_collectively(sub_folder + "/" + pieces[rank],
+                               true,
+                               [&](std::ostream &out) {
+                                 data_out.write_vtu(out);
+                               });
 
     times_and_names.emplace_back(state.time, whole);
-    folder.write_collectively(whole, rank == 0, [&](std::ostream &out) {
+    folder->write_collectively(whole, rank == 0, [&](std::ostream &out) {
       data_out.write_pvtu_record(out, pieces);
     });
-    folder.write_collectively(
+    folder->write_collectively(
       series_name, rank == 0, [&](std::ostream &out) {
         dealii::DataOutBase::write_pvd_record(out, times_and_names);
       });
   }
+
+  static const Register<OutputFormat, Vtu>
+    vtu("vtu", "VTU files and solution.pvd, for ParaView.");
 } // namespace lumbricus

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/registry.h>
+#include <lumbricus/output/field.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+namespace
+{
+  using lumbricus::dim;
+
+  /** The strain of Green and Lagrange, E = (F^T F - I) / 2. */
+  class GreenStrain : public lumbricus::TensorField
+  {
+  public:
+    dealii::Tensor<2, dim>
+    value(const lumbricus::FieldPoint &point) const override
+    {
+      dealii::Tensor<2, dim> E = transpose(point.F) * point.F;
+      E -= dealii::unit_symmetric_tensor<dim>();
+      return 0.5 * E;
+    }
+  };
+
+  // The name is that of the array in the VTU files.
+  const lumbricus::Register<lumbricus::Field, GreenStrain>
+    green_strain("green_strain", "E = (F^T F - I) / 2.");
+} // namespace

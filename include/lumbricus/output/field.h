@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_output_field_h
+#define lumbricus_output_field_h
+
+#include <lumbricus/output/field_point.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <limits>
+#include <string>
+
+namespace lumbricus
+{
+  /**
+   * A quantity at every point of the body, for pictures and material points.
+   * The name it registers itself by is that of its array; derive from one of
+   * the four classes below, which have the function of a point.
+   */
+  class Field
+  {
+  public:
+    /** What its value is. */
+    enum class Kind
+    {
+      scalar,         ///< a number
+      vector,         ///< three
+      tensor,         ///< nine, [i][j]
+      scalar_per_cell ///< a number that is the same on all of a cell
+    };
+
+    virtual ~Field() = default;
+
+    /** What its value is. */
+    virtual Kind
+    kind() const = 0;
+
+    /** How many numbers that is. */
+    unsigned int
+    n_components() const;
+
+    /** Write n_components() numbers to @p values: those at @p point. */
+    virtual void
+    get(const FieldPoint &point, double *values) const = 0;
+
+    /** Whether there is one for each muscle, FieldPoint::muscle. */
+    virtual bool
+    is_per_muscle() const
+    {
+      return false;
+    }
+
+    /** The name of the array for one of these muscles, where @p name is what
+     * the field is registered by; as "fibre_outer". */
+    virtual std::string
+    array_name(const std::string &name, const Muscle &muscle) const
+    {
+      return name + "_" + muscle.field_name();
+    }
+
+    /** Fields come in the order of these numbers, where they are the same in
+     * that of their names; those that do not care come last. */
+    virtual unsigned int
+    place() const
+    {
+      return std::numeric_limits<unsigned int>::max();
+    }
+  };
+
+
+
+  /** A field of numbers, interpolated within a cell. */
+  class ScalarField : public Field
+  {
+  public:
+    Kind
+    kind() const final;
+
+    void
+    get(const FieldPoint &point, double *values) const final;
+
+    /** The value at @p point. */
+    virtual double
+    value(const FieldPoint &point) const = 0;
+  };
+
+
+
+  /** A field of vectors, interpolated within a cell. */
+  class VectorField : public Field
+  {
+  public:
+    Kind
+    kind() const final;
+
+    void
+    get(const FieldPoint &point, double *values) const final;
+
+    /** The value at @p point. */
+    virtual dealii::Tensor<1, dim>
+    value(const FieldPoint &point) const = 0;
+  };
+
+
+
+  /** A field of tensors, interpolated within a cell. */
+  class TensorField : public Field
+  {
+  public:
+    Kind
+    kind() const final;
+
+    void
+    get(const FieldPoint &point, double *values) const final;
+
+    /** The value at @p point. */
+    virtual dealii::Tensor<2, dim>
+    value(const FieldPoint &point) const = 0;
+  };
+
+
+
+  /** A number for every cell. */
+  class CellField : public Field
+  {
+  public:
+    Kind
+    kind() const final;
+
+    void
+    get(const FieldPoint &point, double *values) const final;
+
+    /** The value on the cell that @p point, the last of it, is in. */
+    virtual double
+    value(const FieldPoint &point) const = 0;
+  };
+} // namespace lumbricus
+
+#endif

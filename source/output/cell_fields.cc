@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/output/cell_fields.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/types.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_dgq.h>
+#include <deal.II/fe/fe_tools.h>
+
+namespace lumbricus
+{
+  namespace
+  {
+    constexpr unsigned int n_q = MixedSpace::n_q_points;
+
+    unsigned int
+    n_components(const std::vector<FieldArray> &arrays)
+    {
+      unsigned int n = 0;
+      for (const FieldArray &array : arrays)
+        n += array.field->n_components();
+      return n;
+    }
+  } // namespace
+
+
+
+  CellFields::CellFields(const MixedSpace              &space,
+                         const ShapeCache              &shapes,
+                         const Anatomy                 &anatomy,
+                         const ReferenceField          &references,
+                         const std::vector<FieldArray> &arrays)
+    : space(space)
+    , shapes(shapes)
+    , anatomy(anatomy)
+    , references(references)
+    , fields_dof_handler(space.triangulation)
+  {
+    for (const FieldArray &array : arrays)
+      (array.field->kind() == Field::Kind::scalar_per_cell ? per_cell : nodal)
+        .push_back(array);
+
+    const dealii::FE_DGQ<dim> scalar(MixedSpace::degree);
+    fe = std::make_unique<dealii::FESystem<dim>>(scalar, n_components(nodal));
+    projection.reinit(scalar.n_dofs_per_cell(), n_q);
+    dealii::FETools::compute_projection_from_quadrature_points_matrix(
+      scalar, space.quadrature, space.quadrature, projection);
+  }
+
+
+
+  void
+  CellFields::reinit()
+  {
+    fields_dof_handler.distribute_dofs(*fe);
+    field_values.reinit(fields_dof_handler.locally_owned_dofs(),
+                        dealii::DoFTools::extract_locally_relevant_dofs(
+                          fields_dof_handler),
+                        space.communicator());
+    values_per_cell.assign(per_cell.size(),
+                           dealii::Vector<double>(
+                             space.triangulation.n_active_cells()));
+  }
+
+
+
+  void
+  CellFields::update(const State &state)
+  {
+    Vector owned(fields_dof_handler.locally_owned_dofs(), space.communicator());
+    std::vector<dealii::types::global_dof_index> indices(fe->n_dofs_per_cell());
+    std::vector<std::vector<double>>             values(
+      n_q, std::vector<double>(fe->n_components()));
+
+    const auto finish_cell = [&](FieldPoint &point) {
+      for (unsigned int i = 0; i < per_cell.size(); ++i)
+        {
+          point.muscle = per_cell[i].muscle;
+          per_cell[i].field->get(
+            point, &values_per_cell[i][point.cell->active_cell_index()]);
+        }
+      same_cell(point.cell, fields_dof_handler)->get_dof_indices(indices);
+      for (unsigned int k = 0; k < fe->n_dofs_per_cell(); ++k)
+        {
+          const auto [component, node] = fe->system_to_component_index(k);
+          double value                 = 0.;
+          for (unsigned int q = 0; q < n_q; ++q)
+            value += projection(node, q) * values[q][component];
+          owned(indices[k]) = value;
+        }
+    };
+    visit_points(
+      space, shapes, anatomy, references, state, [&](FieldPoint &point) {
+        double *next = values[point.q].data();
+        for (const FieldArray &array : nodal)
+          {
+            point.muscle = array.muscle;
+            array.field->get(point, next);
+            next += array.field->n_components();
+          }
+        if (point.q + 1 == n_q)
+          finish_cell(point);
+      });
+    owned.compress(dealii::VectorOperation::insert);
+    field_values = owned;
+  }
+
+
+
+  const std::vector<FieldArray> &
+  CellFields::nodal_arrays() const
+  {
+    return nodal;
+  }
+
+
+
+  const std::vector<FieldArray> &
+  CellFields::cell_arrays() const
+  {
+    return per_cell;
+  }
+
+
+
+  std::vector<unsigned int>
+  CellFields::components(const std::string &name) const
+  {
+    std::vector<unsigned int> found;
+    unsigned int              component = 0;
+    for (const FieldArray &array : nodal)
+      for (unsigned int c = 0; c < array.field->n_components(); ++c)
+        {
+          if (array.name == name)
+            found.push_back(component);
+          ++component;
+        }
+    Assert(!found.empty(),
+           dealii::ExcMessage("There is no field '" + name + "'."));
+    return found;
+  }
+
+
+
+  const dealii::DoFHandler<dim> &
+  CellFields::dof_handler() const
+  {
+    return fields_dof_handler;
+  }
+
+
+
+  const Vector &
+  CellFields::values() const
+  {
+    return field_values;
+  }
+
+
+
+  const dealii::Vector<double> &
+  CellFields::cell_values(const unsigned int i) const
+  {
+    AssertIndexRange(i, values_per_cell.size());
+    return values_per_cell[i];
+  }
+} // namespace lumbricus

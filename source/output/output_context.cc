@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/output/output_context.h>
+
+namespace lumbricus
+{
+  OutputContext::OutputContext(const State          &state,
+                               const StepRecord     &step,
+                               const ShapeCache     &shapes,
+                               const Anatomy        &anatomy,
+                               const ReferenceField &references,
+                               CellFields           &cell_fields)
+    : state(state)
+    , step(step)
+    , space(cell_fields.space)
+    , shapes(shapes)
+    , anatomy(anatomy)
+    , references(references)
+    , cell_fields(cell_fields)
+  {}
+
+
+
+  const CellFields &
+  OutputContext::fields() const
+  {
+    if (!fields_are_current)
+      cell_fields.update(state);
+    fields_are_current = true;
+    return cell_fields;
+  }
+
+
+
+  void
+  OutputContext::visit_points(
+    const std::function<void(const FieldPoint &)> &visit) const
+  {
+    lumbricus::visit_points(space, shapes, anatomy, references, state, visit);
+  }
+} // namespace lumbricus

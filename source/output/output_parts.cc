@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/output/output_parts.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace lumbricus
+{
+  namespace
+  {
+    template <class Part>
+    std::map<std::string, std::unique_ptr<Part>>
+    one_of_each()
+    {
+      std::map<std::string, std::unique_ptr<Part>> all;
+      for (const auto &entry : Registry<Part>::entries())
+        all[entry.first] = entry.second.create();
+      return all;
+    }
+
+
+
+    // A checkpoint has it as one word, and the shell is to need no quotes.
+    bool
+    can_be_a_file(const std::string &name)
+    {
+      const std::string letters = "abcdefghijklmnopqrstuvwxyz"
+                                  "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+      return !name.empty() &&
+             name.find_first_not_of(letters) == std::string::npos;
+    }
+  } // namespace
+
+
+
+  OutputParts::OutputParts()
+    : all_tables(one_of_each<Table>())
+    , all_fields(one_of_each<Field>())
+    , format_choice("Format", "vtu", "How pictures are written.")
+  {}
+
+
+
+  void
+  OutputParts::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    Registry<Table>::check_names("tables");
+    Registry<Field>::check_names("fields");
+    for (const auto &[name, table] : all_tables)
+      {
+        AssertThrow(can_be_a_file(name),
+                    ExcInput("A table has registered itself as '" + name +
+                             "', which cannot be the name of its file. Give "
+                             "it one of letters, digits, '_' and '-'."));
+        table->declare_parameters(prm);
+      }
+    format_choice.declare_parameters(prm);
+  }
+
+
+
+  bool
+  OutputParts::extend_parameters(dealii::ParameterHandler &prm,
+                                 const Extent              extent)
+  {
+    bool extended = format_choice.extend_parameters(prm, extent);
+    for (const auto &entry : all_tables)
+      extended |= entry.second->extend_parameters(prm, extent);
+    return extended;
+  }
+
+
+
+  void
+  OutputParts::check_parameters() const
+  {
+    format_choice.check_parameters();
+    for (const auto &entry : all_tables)
+      entry.second->check_parameters();
+  }
+
+
+
+  void
+  OutputParts::initialize(const Anatomy &anatomy)
+  {
+    // Where two have the same place they are in the order of their names.
+    std::vector<std::pair<std::string, const Field *>> in_order;
+    for (const auto &[name, field] : all_fields)
+      in_order.emplace_back(name, field.get());
+    std::stable_sort(in_order.begin(),
+                     in_order.end(),
+                     [](const auto &a, const auto &b) {
+                       return a.second->place() < b.second->place();
+                     });
+    arrays.clear();
+    for (const auto &[name, field] : in_order)
+      if (!field->is_per_muscle())
+        arrays.push_back({name, field, nullptr});
+      else
+        for (unsigned int m = 0; m < anatomy.n_muscles(); ++m)
+          arrays.push_back({field->array_name(name, anatomy.muscle(m)),
+                            field,
+                            &anatomy.muscle(m)});
+
+    std::set<std::string> names;
+    for (const FieldArray &array : arrays)
+      AssertThrow(names.insert(array.name).second,
+                  ExcInput("Two fields are called '" + array.name +
+                           "'. Give yours another name in its Register, or "
+                           "the muscle that one of them is of another name."));
+  }
+
+
+
+  std::string
+  OutputParts::check(const MixedSpace &space) const
+  {
+    std::string notes;
+    for (const auto &entry : tables())
+      notes += entry.second->check(space);
+    return notes;
+  }
+
+
+
+  std::map<std::string, Table *>
+  OutputParts::tables() const
+  {
+    std::map<std::string, Table *> wanted;
+    for (const auto &[name, table] : all_tables)
+      if (table->is_wanted())
+        wanted[name + ".csv"] = table.get();
+    return wanted;
+  }
+
+
+
+  const std::vector<FieldArray> &
+  OutputParts::field_arrays() const
+  {
+    return arrays;
+  }
+
+
+
+  std::vector<FieldArray>
+  OutputParts::field_arrays(const std::vector<std::string> &names) const
+  {
+    std::vector<FieldArray> some;
+    for (const FieldArray &array : arrays)
+      if (std::find(names.begin(), names.end(), array.name) != names.end())
+        some.push_back(array);
+    AssertDimension(some.size(), names.size());
+    return some;
+  }
+
+
+
+  OutputFormat &
+  OutputParts::format()
+  {
+    return *format_choice.get();
+  }
+
+
+
+  const std::string &
+  OutputParts::format_name() const
+  {
+    return format_choice.chosen_name();
+  }
+} // namespace lumbricus
