@@ -42,6 +42,14 @@ namespace lumbricus
     std::string
     field_name() const;
 
+    /** The name of its FibreField, as users choose it. */
+    const std::string &
+    fibres_name() const;
+
+    /** The name of its Activation, as users choose it. */
+    const std::string &
+    active_stretch_name() const;
+
     /**
      * The unit vector along the fibres at @p X. Throws ExcInput where they
      * have no direction, naming muscle and point.
