@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A law, a geometry and an activation from outside the tree, in a program that finds
-this one with CMake: in its build folder, and where it is installed."""
+this one with CMake: in its build folder, and where it is installed; and
+lumbricus-plot draws that geometry."""
 # On Debian 13 neither of the two could be built: deal.II is set there to link with
 # mold, which nothing installs, and CMake, told nothing, writes files for make, which
 # is missing too. So deal.II asks here for a linker that does not exist, and the
@@ -9,6 +10,7 @@ import math
 import os
 import subprocess
 
+from drawn_bar import check_pictures
 from lumbricus_run import SOURCE
 
 EXAMPLE = SOURCE / "examples" / "own_parts"
@@ -36,10 +38,13 @@ def deal_ii_without_linker(folder):
     return folder
 
 
-def run(program, case, folder):
+def run(program, case, folder, settings=()):
     """The rows of points.csv, or of segments.csv where there are no points."""
-    process = subprocess.run([program, EXAMPLE / case, "--output", folder],
-                             capture_output=True, text=True, timeout=60)
+    command = [program, EXAMPLE / case, "--output", folder]
+    for setting in settings:
+        command += ["--set", setting]
+    process = subprocess.run(command, capture_output=True, text=True,
+                             timeout=60)
     assert process.returncode == 0, process.stdout + process.stderr
     table = folder / "points.csv"
     if not table.exists():
@@ -81,6 +86,13 @@ def test_parts_of_another_project(tmp_path):
         assert abs(row["length"] - 10 * stretch) < 1e-7
         assert abs(row["wall_volume"] - 10 / 3 * (4 + 2 + 1)) < 1e-9
     assert min(row["length"] for row in rows) < 9.01
+
+    # A quarter of it is the same.
+    for row, whole in zip(run(mine, "twitch.prm", tmp_path / "quarter",
+                              ["Geometry/tapered bar/Quarter=true"]), rows):
+        assert abs(row["length"] - whole["length"]) < 1e-9
+        assert abs(row["wall_volume"] - whole["wall_volume"]) < 1e-9
+    check_pictures(tmp_path)
 
     # The program itself runs from where it is installed, and lacks that law.
     process = subprocess.run([installed / "bin" / "lumbricus",
