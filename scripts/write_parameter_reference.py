@@ -26,9 +26,13 @@ def escaped(text):
     return text.replace("|", "\\|").replace("<", "&lt;").replace(">", "&gt;")
 
 
-def parse(lines):
+def parse(text):
     """(path of the section, its comment, [(name, default, comment)]) of all
-    sections, in the order of the input."""
+    sections, in the order of the text."""
+    # The frame deal.II puts around the list.
+    lines = [line for line in text.splitlines()
+             if line not in ("# Listing of Parameters",
+                             "# ---------------------")]
     sections = {(): ("", [])}
     path, comment = (), []
     for line in lines:
@@ -60,13 +64,9 @@ def entries(parameters):
 
 
 def main():
-    lines = sys.stdin.read().splitlines()
-    # The frame deal.II puts around the list.
-    lines = [line for line in lines
-             if line not in ("# Listing of Parameters",
-                             "# ---------------------")]
+    sections = parse(sys.stdin.read())
     print(HEAD)
-    for path, comment, parameters in parse(lines):
+    for path, comment, parameters in sections:
         if not path:
             print("## At the top\n")
         else:
@@ -77,7 +77,7 @@ def main():
         if parameters:
             print("\n".join(entries(parameters)) + "\n")
         elif not any(other[:len(path)] == path and other != path
-                     for other, _, _ in parse(lines)):
+                     for other, _, _ in sections):
             print("No parameters.\n")
 
 

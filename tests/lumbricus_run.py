@@ -91,6 +91,14 @@ def outline(text):
     return values
 
 
+def resolved(folder):
+    """The text of parameters.prm in a folder, which is said to be the one for
+    the results, without the name of that."""
+    text = (folder / "parameters.prm").read_text(encoding="utf-8")
+    assert outline(text)["Output/Folder"] == str(folder.resolve())
+    return text.replace(str(folder.resolve()), "")
+
+
 def children_of(parent):
     """The ids of all processes that a process has started, which under mpirun
     are the ranks."""

@@ -12,7 +12,9 @@ namespace
   using lumbricus::dim;
 
   /** A bar of square section around the x axis that gets thinner along it, as
-   * an arm of an octopus does: one segment of one tissue, 'flesh'. */
+   * an arm of an octopus does: one segment of one tissue, 'flesh'. The planes
+   * y = 0 and z = 0 cut it into four parts that are alike, of which one is
+   * enough. */
   class TaperedBar : public lumbricus::Geometry
   {
   public:
@@ -31,24 +33,34 @@ namespace
                         tail_width,
                         "[mm] Edge of the section at the other end.",
                         lumbricus::PositiveNumber());
+      prm.add_parameter("Quarter",
+                        quarter,
+                        "Whether to compute the part y > 0, z > 0 only.");
     }
 
     void
     create_coarse_mesh(dealii::Triangulation<dim> &triangulation) const override
     {
-      const double     half = head_width / 2.;
-      const Point<dim> low(0., -half, -half), high(length, half, half);
+      const double       half   = head_width / 2.;
+      const double       inside = quarter ? 0. : -half;
+      const unsigned int n      = quarter ? 1 : 2;
+      const Point<dim>   low(0., inside, inside), high(length, half, half);
       dealii::GridGenerator::subdivided_hyper_rectangle(triangulation,
-                                                        {8, 2, 2},
+                                                        {8, n, n},
                                                         low,
                                                         high);
-      // Names by which loads find the boundaries: head, tail, skin.
+      // Names by which loads find the boundaries: head, tail, skin; then the
+      // planes of symmetry. The faces of a cell are those at the lower and the
+      // higher end of x, y, z.
       for (const auto &cell : triangulation.active_cell_iterators())
         {
           cell->set_material_id(lumbricus::Region{0, 0}.material_id());
           for (const unsigned int f : cell->face_indices())
             if (cell->face(f)->at_boundary())
-              cell->face(f)->set_boundary_id(f < 2 ? f : 2);
+              cell->face(f)->set_boundary_id(f < 2             ? f :
+                                             quarter && f == 2 ? 3 :
+                                             quarter && f == 4 ? 4 :
+                                                                 2);
         }
       dealii::GridTools::transform(
         [&](const Point<dim> &X) {
@@ -80,7 +92,9 @@ namespace
     std::vector<lumbricus::SymmetryPlane>
     symmetry_planes() const override
     {
-      return {};
+      if (!quarter)
+        return {};
+      return {{3, 1}, {4, 2}};
     }
 
     std::vector<lumbricus::SegmentSections>
@@ -92,9 +106,10 @@ namespace
     std::array<Point<dim>, 3>
     support_points() const override
     {
-      return {{Point<dim>(),
-               Point<dim>(length, 0., 0.),
-               Point<dim>(0., 0., head_width / 2.)}};
+      // The planes of symmetry hold what the third is for.
+      const double z = quarter ? 0. : head_width / 2.;
+      return {
+        {Point<dim>(), Point<dim>(length, 0., 0.), Point<dim>(0., 0., z)}};
     }
 
     double
@@ -107,6 +122,7 @@ namespace
     double length     = 10.;
     double head_width = 2.;
     double tail_width = 1.;
+    bool   quarter    = false;
   };
 
   const lumbricus::Register<lumbricus::Geometry, TaperedBar>

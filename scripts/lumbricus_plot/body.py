@@ -1,87 +1,78 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The whole body from a half or a quarter of it, and its part that is shown
+"""The whole body from the part of it that was computed, and what of it is shown
 when it is cut open."""
-
-import pathlib
-import re
 
 import numpy as np
 
 from .fields import MIDDLE, MIRRORED, grid_of, nodes_of_cells
 from .view import VIEW
 
-
-def read_physical_names(mesh_file):
-    """The names of the volumes and of the surfaces in a mesh of Gmsh, each in
-    the order of their tags."""
-    names = {2: {}, 3: {}}
-    text = pathlib.Path(mesh_file).read_text()
-    text = text[:text.index("$EndPhysicalNames")]
-    for dimension, tag, name in re.findall(r'^(\d) (\d+) "(.*)"', text, re.M):
-        names.setdefault(int(dimension), {})[int(tag)] = name.strip()
-    return tuple([name for _, name in sorted(names[d].items())]
-                 for d in (3, 2))
+AXES = "xyz"
+ON_PLANE = 1e-6  # how near, in sizes of the body
 
 
 class Body:
-    """What the parameters say of the mesh: the planes of symmetry in which it
-    is mirrored, those of the cut, and which tissues are liquid."""
+    """What a run says of its body: the planes of symmetry in which it is
+    mirrored, its axis, and which tissues are liquid. A plane is (d, position):
+    x_d = position."""
 
-    def __init__(self, parameters):
-        shape = parameters["Geometry/Shape"]
+    def __init__(self, description):
+        self.mirrors = [(AXES.index(plane["normal"]), plane["position"])
+                        for plane in description["symmetry_planes"]]
+        self.axis = AXES.index(description["axis"])
+        self.liquid_tissues = [i for i, tissue
+                               in enumerate(description["tissues"])
+                               if tissue["liquid"]]
 
-        def get(name, default=""):
-            return parameters.get(f"Geometry/{shape}/{name}", default)
-
-        part = get("Cross-section", "full")
-        self.mirrors = {"full": [], "half": [1], "quarter": [1, 2]}[part]
-        if shape == "block":
-            axes = [s.strip() for s in get("Symmetry").split(",")]
-            self.mirrors = [d for d, a in enumerate("xyz") if a in axes]
-        # The planes through the axis, or of symmetry, along which it is cut.
-        self.cut = [1, 2] if shape != "block" else self.mirrors[:2]
-        if shape == "mesh file":
-            volumes, surfaces = read_physical_names(get("File"))
-            self.mirrors = [d for d, a in enumerate("xyz")
-                            if "symmetry " + a in surfaces]
-            liquids = [s.strip() for s in get("Liquid tissues").split(",")]
-            tissues = list(dict.fromkeys(re.sub(r"\s+\d+$", "", name)
-                                         for name in volumes))
-            self.liquid_tissues = [i for i, name in enumerate(tissues)
-                                   if name in liquids]
-            return
-        has_liquid = {"segment chain": "true",
-                      "open cylinder": get("Filled"),
-                      "block": get("Liquid")}[shape] == "true"
-        self.liquid_tissues = [0] if has_liquid else []
-
-    def opened(self, grid):
-        """The whole body without the part between both planes of the cut and
-        the viewer. There are faces of cells on the planes, so that cells are
-        left out and none is cut, which keeps all faces curved."""
+    def whole(self, grid):
+        """The points, nodes [cell, node] and fields of the whole body."""
         points, nodes = grid.points, nodes_of_cells(grid)
         # Tensors are not drawn.
         fields = {name: values for name, values in grid.point_data.items()
                   if values.ndim == 1 or is_vector(values)}
-        for d in self.mirrors:
+        for d, position in self.mirrors:
             nodes = np.concatenate([nodes, nodes[:, MIRRORED] + len(points)])
-            points = with_image(points, d)
+            points = with_image(points, d, position)
             fields = {name: with_image(values, d if is_vector(values) else None)
                       for name, values in fields.items()}
-        if len(self.cut) == 2:
-            middle = points[nodes[:, MIDDLE]][:, self.cut]
-            behind = middle * VIEW.normal[self.cut] < 0
-            nodes = nodes[behind.any(axis=1)]
-        return grid_of(points, nodes, fields)
+        return points, nodes, fields
+
+    def cut(self, points):
+        """The two planes along which a body with these points is cut open: of
+        symmetry or through the axis, first those that have the axis in them,
+        and with a part of the body on both sides. None where there are no
+        two."""
+        symmetric = dict(self.mirrors)
+        along = [(d, symmetric.get(d, 0.0)) for d in range(3) if d != self.axis]
+        across = [plane for plane in self.mirrors if plane[0] == self.axis]
+        size = ON_PLANE * np.ptp(points)
+        found = [(d, position) for d, position in along + across
+                 if points[:, d].min() < position - size
+                 and points[:, d].max() > position + size]
+        return sorted(found[:2]) if len(found) >= 2 else []
+
+    def opened(self, grid):
+        """The body without the part between both planes of the cut and the
+        viewer, and these planes. Where there are faces of cells on them, none
+        is cut, which keeps all faces curved."""
+        points, nodes, fields = self.whole(grid)
+        planes = self.cut(points)
+        if planes:
+            middle = points[nodes[:, MIDDLE]]
+            behind = [(middle[:, d] - position) * VIEW.normal[d] < 0
+                      for d, position in planes]
+            nodes = nodes[np.any(behind, axis=0)]
+        return grid_of(points, nodes, fields), planes
 
 
 def is_vector(values):
     return values.shape[1:] == (3,)
 
 
-def with_image(values, d):
-    """Values at the points and at their images in the plane x_d = 0."""
+def with_image(values, d, position=0.0):
+    """Values at the points and at their images in the plane x_d = position;
+    vectors have none of their own."""
     image = values.copy()
     if d is not None:
-        image[:, d] *= -1
+        image[:, d] = 2 * position - image[:, d]
     return np.concatenate([values, image])

@@ -10,12 +10,12 @@ def no_formula(text):
 def animation_caption(times, with_fibres):
     when = (f"Time t = {times[0]:g}." if len(times) == 1 else
             f"{len(times)} times from t = {times[0]:g} to t = {times[-1]:g}.")
-    text = (when + " The body is cut open along its axis (a block where it is "
-            "symmetric), the head on the left, at true scale. Liquid is "
-            "coloured by its pressure [N/mm²], muscle by its active "
-            "contraction: by how much [%] the most active fibres want to be "
-            "shorter than at rest. View and colours are the same at all "
-            "times.")
+    text = (when + " The body is cut open along two planes through its axis or "
+            "of its symmetry, where it has such planes inside, the head on the "
+            "left, at true scale. Liquid is coloured by its pressure [N/mm²], "
+            "muscle by its active contraction: by how much [%] the most active "
+            "fibres want to be shorter than at rest. View and colours are the "
+            "same at all times.")
     if with_fibres:
         text += (" Green lines are fibres, green dots fibres that go into the "
                  "body.")

@@ -87,8 +87,7 @@ def add_colour_bars(figure, scales):
 
 
 def read_drawings(run, shown, with_mesh, with_fibres):
-    body = run.body()
-    return [run.reading(name, Drawing, name, body, with_mesh, with_fibres)
+    return [run.reading(name, Drawing, name, run.body, with_mesh, with_fibres)
             for _, name in shown]
 
 

@@ -1,23 +1,41 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """report.html: pictures, numbers and parameters of a run in one file."""
 
-from .defaults import parameters_with_defaults, read_reference, that_differ
+import json
+
+from .defaults import that_differ
 from .html_page import (details, figure, heading, number, page, paragraph,
                         table)
-from .summary import Summary, adaptations, where_time_went
+from .summary import Summary, adaptations
 
 
-def state_of_run(run, summary, is_over):
-    end = "" if summary.end is None else f" of {summary.end:g}"
-    text = (f"{summary.n_steps} load steps to time {summary.time:g}{end}, "
-            f"{summary.n_newton} Newton iterations, {summary.n_cuts} cuts of "
-            f"a step, {number(summary.seconds)} s.")
-    if not is_over:
-        return (text + " The run is going on: its log has no table of times "
-                "yet. (It looks the same after a run that was killed.)")
-    if summary.end is not None and summary.time < summary.end * (1 - 1e-9):
-        return text + " The run ended before its end; the log may say why."
-    return text + " The run is done."
+ENDS = {
+    "running": "The run is going on. (It looks the same after one that was "
+               "killed.)",
+    "finished": "The run is done.",
+    "interrupted": "The run was interrupted.",
+    "failed": "The run could not go on."}
+
+
+def program(run):
+    """What computed the run."""
+    made_by = run.description["program"]
+    n_ranks = made_by["ranks"]
+    text = (f"{made_by['name']} {made_by['version']} (deal.II "
+            f"{made_by['deal_ii']}, {made_by['build_type']}), {n_ranks} "
+            f"{'rank' if n_ranks == 1 else 'ranks'}")
+    restart = run.description["restart"]
+    if restart is not None:
+        text += (f"; from time {restart['time']:g} on, until which it was "
+                 f"version {restart['version']}")
+    return text
+
+
+def state_of_run(run, summary):
+    return (f"{summary.n_steps} load steps to time {summary.time:g} of "
+            f"{run.status['end_time']:g}, {summary.n_newton} Newton "
+            f"iterations, {summary.n_cuts} cuts of a step, "
+            f"{number(summary.seconds)} s. {ENDS[run.status['state']]}")
 
 
 def numbers_of_segments(run, summary):
@@ -79,53 +97,62 @@ def mesh_adaptations(run):
     return content
 
 
-def times(run, rows, notes):
+def times(run):
     content = [heading("Where the time went")]
-    if not rows:
-        return content + [paragraph(
-            "The run is going on; the table is written at its end.")]
-    if len(run.log_of_last_start()) < len(run.log):
+    costs = run.description["where_the_time_went"]
+    if costs is None:
+        return content + [paragraph("The run did not say so: it is told at "
+                                    "its end.")]
+    if run.description["restart"] is not None:
         content.append(paragraph("Since the last restart."))
+
+    def rows(parts, depth=0):
+        for part in parts:
+            yield ("\u2003" * depth + part["name"], f"{part['seconds']:.2f}",
+                   f"{part['seconds'] / costs['seconds']:.0%}", part["calls"])
+            yield from rows(part.get("parts", []), depth + 1)
+
     content.append(table(
         ["", "seconds", "share", "calls"],
-        [("\u2003" * depth + name, seconds, share, calls)
-         for depth, name, seconds, share, calls in rows]))
-    return content + [paragraph(" ".join(notes), "note")]
+        [*rows(costs["parts"]), ("total", f"{costs['seconds']:.2f}", "", "")]))
+    return content + [paragraph(
+        f"Peak memory of the largest rank: {costs['peak_memory_mb']:.0f} MB. "
+        "Most iterations of a linear solve: "
+        f"{costs['most_linear_iterations']}.", "note")]
+
+
+def shown(value):
+    """A value of a parameter as it is written."""
+    return value if isinstance(value, str) else json.dumps(value)
 
 
 def all_parameters(run):
-    rows = parameters_with_defaults(run.parameters, read_reference())
-    content = [heading("Parameters")]
-    if any(default is not None for _, _, default, _ in rows):
-        content += [
-            paragraph("Those that differ from their defaults in "
-                      "doc/parameters.md, and those that have no default "
-                      "there."),
-            table(["parameter", "value", "default", "unit"],
-                  [(name, value, "–" if default is None else default,
-                    unit or "")
-                   for name, value, default, unit in that_differ(rows)],
-                  text_columns=4)]
-    else:
-        content.append(paragraph("The defaults are not known here, as "
-                                 "doc/parameters.md was not found."))
-    content.append(details("All parameters", table(
-        ["parameter", "value"], [row[:2] for row in rows], text_columns=2)))
-    return content
+    entries = run.description["parameters"]
+    return [
+        heading("Parameters"),
+        paragraph("Those that differ from their defaults."),
+        table(["parameter", "value", "default", "unit"],
+              [(entry["path"], shown(entry["value"]),
+                shown(entry["default"]) or "–", entry["unit"])
+               for entry in that_differ(entries)], text_columns=4),
+        details("All parameters", table(
+            ["parameter", "value", "unit"],
+            [(entry["path"], shown(entry["value"]), entry["unit"])
+             for entry in entries], text_columns=3))]
 
 
 def write_report(run, pictures, notes, file_name):
     """Pictures are (file, title, caption); notes say what is left out."""
     summary = Summary(run)
-    time_rows, time_notes = where_time_went(run)
-    versions = run.versions() or ["The log does not name the version."]
+    message = run.status["message"]
     content = [
-        paragraph("; ".join(versions), "note"),
-        paragraph(state_of_run(run, summary, bool(time_rows))),
+        paragraph(program(run), "note"),
+        paragraph(state_of_run(run, summary)),
+        *([paragraph(message)] if message else []),
         *(paragraph(note) for note in notes),
         *(figure(*picture) for picture in pictures),
         *numbers(run, summary),
         *mesh_adaptations(run),
-        *times(run, time_rows, time_notes),
+        *times(run),
         *all_parameters(run)]
     file_name.write_text(page(run.title, content), encoding="utf-8")

@@ -4,7 +4,6 @@ last complete line, and a time counts when all segments have their row."""
 
 import io
 import pathlib
-import re
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
@@ -12,7 +11,7 @@ import numpy as np
 from .body import Body
 from .captions import no_formula
 from .fields import read_grid, read_series
-from .tables import read_parameters, read_table
+from .tables import DESCRIPTION, read_description, read_table, values_of
 
 
 class PlotError(Exception):
@@ -63,16 +62,17 @@ class RunFolder:
 
     def __init__(self, path):
         self.path = pathlib.Path(path)
-        parameter_file = self.path / "parameters.prm"
-        if not parameter_file.exists():
-            raise PlotError(f"There is no '{parameter_file}', so that this is "
-                            "no run; give the output folder of a run.")
+        self.description = self.read_description()
         try:
-            self.parameters = read_parameters(self.path)
-        except (OSError, ValueError, IndexError) as error:
-            raise PlotError(f"'{parameter_file}' cannot be read ({error}); "
-                            "run the case again.") from error
-        self.title = self.parameters.get("Title", "") or self.path.name
+            self.parameters = values_of(self.description)
+            self.status = self.description["status"]
+            self.title = self.description["title"] or self.path.name
+            self.body = Body(self.description["body"])
+        except (KeyError, ValueError, TypeError) as error:
+            raise PlotError(
+                f"'{self.path / DESCRIPTION}' is not as this version writes it "
+                f"({type(error).__name__}: {error}); run the case again."
+            ) from error
 
         self.segments = self.table(
             "segments.csv",
@@ -100,12 +100,25 @@ class RunFolder:
             "mesh.csv", ["step", "t", "cycle", "cells", "unknowns", "refined",
                          "coarsened", "converged", "estimated_error",
                          "volume_change", "pressure_change"])
-        log_file = self.path / "log.txt"
-        if not log_file.exists():
-            raise PlotError(f"There is no '{log_file}', so that this is no "
-                            "whole run; give the output folder of a run.")
-        self.log = read_text(log_file)
         self.series = self.read_times()
+
+    def read_description(self):
+        file_name = self.path / DESCRIPTION
+        if not file_name.exists():
+            of_a_run = (self.path / "segments.csv").exists()
+            raise PlotError(f"There is no '{file_name}', so that this is " + (
+                "a run of an older version, which does not say what it is; run "
+                "the case again with this version." if of_a_run else
+                "no run; give the output folder of a run."))
+        try:
+            return read_description(self.path)
+        except OSError as error:
+            raise PlotError(f"'{file_name}' cannot be read: "
+                            f"{error.strerror or error}; make it readable or "
+                            "run the case again.") from error
+        except ValueError as error:
+            raise PlotError(f"'{file_name}' is damaged ({error}); run the case "
+                            "again.") from error
 
     def table(self, name, columns):
         file_name = self.path / name
@@ -148,10 +161,6 @@ class RunFolder:
     def grid(self, pvtu_file):
         return self.reading(pvtu_file, read_grid, pvtu_file)
 
-    def body(self):
-        return self.reading(self.path / "parameters.prm", Body,
-                            self.parameters)
-
     @staticmethod
     def reading(file_name, function, *arguments):
         """function(*arguments), which reads file_name and what that names."""
@@ -185,20 +194,11 @@ class RunFolder:
 
     def number(self, name):
         """A parameter as a number, None where there is none."""
-        try:
-            return float(self.parameters[name])
-        except (KeyError, ValueError):
-            return None
+        value = self.parameters.get(name)
+        is_number = isinstance(value, (int, float)) and not isinstance(value,
+                                                                       bool)
+        return value if is_number else None
 
     def figure_title(self):
         """In which Matplotlib sees no formula."""
         return no_formula(self.title)
-
-    def versions(self):
-        """The first lines of the log, and of what restarts added to it."""
-        return list(dict.fromkeys(re.findall(r"^lumbricus \S.*$", self.log,
-                                             re.M)))
-
-    def log_of_last_start(self):
-        """The log without what a run has said before it was restarted."""
-        return re.split(r"^(?=lumbricus \S)", self.log, flags=re.M)[-1]

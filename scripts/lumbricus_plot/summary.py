@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The numbers of a report, from the tables and the log of a run."""
-
-import re
+"""The numbers of a report, from the tables of a run."""
 
 import numpy as np
 
@@ -37,7 +35,6 @@ class Summary:
 
         self.n_steps = len(run.times) - 1
         self.time = run.times[-1]
-        self.end = run.number("Time/End")
         self.n_newton = int(run.steps["newton_iterations"].sum())
         self.n_cuts = int(run.steps["cuts"].sum())
         elapsed = run.steps["elapsed_seconds"]
@@ -58,24 +55,6 @@ class Summary:
              extreme(np.min, self.fluid_quality)),
             ("least quality of the wall's mesh",
              extreme(np.min, self.wall_quality))]
-
-
-def where_time_went(run):
-    """Rows (depth, name, seconds, share, calls) of the table at the end of
-    the log, and the lines after it; none where it is not there yet."""
-    _, found, table = run.log_of_last_start().rpartition("Where the time went")
-    rows, notes = [], []
-    if not found:
-        return rows, notes
-    for line in table.splitlines()[1:]:
-        match = re.match(r"( +)(\S.*?) +([\d.]+) +(\d+)%(?: +(\d+))?$", line)
-        if match:
-            indent, name, seconds, share, calls = match.groups()
-            rows.append((len(indent) // 2 - 1, name, seconds, share + " %",
-                         calls or ""))
-        elif line.strip():
-            notes.append(line.strip())
-    return rows, notes
 
 
 def adaptations(run):

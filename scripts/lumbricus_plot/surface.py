@@ -5,6 +5,7 @@ the lines on the cut, and its fibres."""
 import numpy as np
 import pyvista
 
+from .body import ON_PLANE
 from .fields import (EDGES_OF_FACE, FACES, MIDDLE, grid_of, have_no_partner,
                      nodes_of_cells, place_keys, read_grid)
 
@@ -54,7 +55,8 @@ def materials(fields, middles):
 class Faces:
     """The faces that belong to one cell only."""
 
-    def __init__(self, grid, body):
+    def __init__(self, grid, planes):
+        """Of a body that is cut open along these planes, see Body.cut()."""
         self.rest = grid.points
         self.fields = grid.point_data
         self.moved = self.rest + self.fields["displacement"]
@@ -71,10 +73,9 @@ class Faces:
         self.nodes = nodes[outer]
         # Number of the plane of the cut, from 1, in which a face lies.
         self.plane = np.zeros(len(self.nodes), dtype=int)
-        if len(body.cut) == 2:
-            for number, d in enumerate(body.cut, 1):
-                distance = np.abs(self.rest[self.nodes][..., d]).max(axis=1)
-                self.plane[distance < 1e-6 * self.size] = number
+        for number, (d, position) in enumerate(planes, 1):
+            distance = np.abs(self.rest[self.nodes][..., d] - position)
+            self.plane[distance.max(axis=1) < ON_PLANE * self.size] = number
 
     def surface(self, chosen):
         """The chosen ones as smooth triangles with fields."""
@@ -151,7 +152,7 @@ class Drawing:
     """All that is drawn of one time."""
 
     def __init__(self, pvtu_file, body, with_mesh, with_fibres):
-        faces = Faces(body.opened(read_grid(pvtu_file)), body)
+        faces = Faces(*body.opened(read_grid(pvtu_file)))
         # What is cut is drawn flat, so that its colour can be read.
         self.outside = faces.surface(faces.plane == 0)
         self.cuts = [faces.surface(faces.plane == number) for number in (1, 2)

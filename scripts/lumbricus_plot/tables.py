@@ -1,27 +1,29 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parameters and the tables in the folder of a run. Needs NumPy only."""
+"""What the folder of a run says of itself, and its tables. Needs NumPy only."""
 
+import json
 import pathlib
-import re
 
 import numpy as np
 
+DESCRIPTION = "run.json"
+
+
+def read_description(folder):
+    """What is in run.json, see doc/results.md."""
+    file_name = pathlib.Path(folder) / DESCRIPTION
+    return json.loads(file_name.read_text(encoding="utf-8"))
+
+
+def values_of(description):
+    """The values of all parameters by "Section/Subsection/Name"."""
+    return {entry["path"]: entry["value"]
+            for entry in description["parameters"]}
+
 
 def read_parameters(folder):
-    """The values of parameters.prm by "Section/Subsection/Name"."""
-    values, path = {}, []
-    text = (pathlib.Path(folder) / "parameters.prm").read_text()
-    # A backslash at the end of a line joins the next to it.
-    for line in re.sub(r"\\\n\s*", "", text).splitlines():
-        line = line.split("#")[0].strip()
-        if line.startswith("subsection "):
-            path.append(line[len("subsection "):].strip())
-        elif line == "end":
-            path.pop()
-        elif line.startswith("set "):
-            name, _, value = line[len("set "):].partition("=")
-            values["/".join(path + [name.strip()])] = value.strip()
-    return values
+    """The values of all parameters of the run in a folder."""
+    return values_of(read_description(folder))
 
 
 def read_table(file_name):

@@ -107,6 +107,22 @@ namespace lumbricus
 
 
 
+  const std::string &
+  Muscle::fibres_name() const
+  {
+    return fibre_choice.chosen_name();
+  }
+
+
+
+  const std::string &
+  Muscle::action_name() const
+  {
+    return action_choice.chosen_name();
+  }
+
+
+
   dealii::Tensor<1, dim>
   Muscle::fibre_direction(const dealii::Point<dim> &X) const
   {

@@ -84,10 +84,18 @@ namespace lumbricus
 
 
 
+  const std::string &
+  Tissue::law_name() const
+  {
+    return law_choice.chosen_name();
+  }
+
+
+
   std::string
   Tissue::law_section() const
   {
-    return "Tissues/" + tissue_name + "/" + law_choice.chosen_name();
+    return "Tissues/" + tissue_name + "/" + law_name();
   }
 
 

@@ -10,11 +10,9 @@
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
-#include <boost/property_tree/json_parser.hpp>
-
 #include <algorithm>
 #include <cstdlib>
-#include <functional>
+#include <map>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -474,10 +472,40 @@ namespace lumbricus
 
 
 
+  // Not by ParameterHandler::set(), which would change what the run uses.
   void
-  ParameterFile::print_resolved(std::ostream &out)
+  ParameterFile::print_resolved(std::ostream &out, const Values &instead) const
   {
-    prm.print_parameters(out, short_style);
+    std::ostringstream text;
+    prm.print_parameters(text, short_style);
+    std::map<unsigned int, std::string> changed;
+    for (const PrmLine &line : scan_prm(text.str()))
+      if (const auto value = instead.find(line.path);
+          !line.is_section && value != instead.end())
+        changed[line.number] = value->second;
+
+    std::istringstream lines(text.str());
+    std::string        line;
+    for (unsigned int number = 1; std::getline(lines, line); ++number)
+      {
+        const auto value = changed.find(number);
+        out << (value == changed.end() ?
+                  line :
+                  line.substr(0, line.find('=') + 1) + " " + value->second)
+            << '\n';
+      }
+  }
+
+
+
+  std::vector<ParameterEntry>
+  ParameterFile::entries(const Values &instead) const
+  {
+    std::vector<ParameterEntry> entries = entries_of(prm);
+    for (ParameterEntry &entry : entries)
+      if (const auto value = instead.find(entry.path); value != instead.end())
+        entry.value = value->second;
+    return entries;
   }
 
 
@@ -485,39 +513,19 @@ namespace lumbricus
   std::vector<InputFile>
   ParameterFile::input_files() const
   {
-    // The way to the patterns of parameters.
-    std::stringstream json;
-    prm.print_parameters(json,
-                         dealii::ParameterHandler::JSON |
-                           dealii::ParameterHandler::KeepDeclarationOrder);
-    using Tree = boost::property_tree::ptree;
-    Tree all;
-    boost::property_tree::read_json(json, all);
-
     std::vector<InputFile>           files;
     const dealii::Patterns::FileName one;
-    const std::function<void(const Tree &, const std::string &)> look =
-      [&](const Tree &tree, const std::string &path) {
-        const auto pattern =
-          tree.get_optional<std::string>("pattern_description");
-        if (!pattern)
-          {
-            for (const auto &below : tree)
-              look(below.second,
-                   path.empty() ? below.first : path + "/" + below.first);
-            return;
-          }
-        if (pattern->find(one.description()) == std::string::npos)
-          return;
-        const auto value = tree.get<std::string>("value");
-        const auto names = *pattern == one.description() ?
-                             std::vector<std::string>{value} :
-                             dealii::Utilities::split_string_list(value);
+    for (const ParameterEntry &entry : entries())
+      {
+        if (entry.pattern.find(one.description()) == std::string::npos)
+          continue;
+        const auto names = entry.pattern == one.description() ?
+                             std::vector<std::string>{entry.value} :
+                             dealii::Utilities::split_string_list(entry.value);
         for (const std::string &name : names)
           if (!name.empty())
-            files.push_back(look_at_input_file(path, name));
-      };
-    look(all, "");
+            files.push_back(look_at_input_file(entry.path, name));
+      }
     return files;
   }
 

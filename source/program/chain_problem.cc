@@ -68,9 +68,13 @@ namespace lumbricus
       {
         first_state = checkpoint->read_state(model.space);
         folder.continue_tables(checkpoint->progress().tables);
+        so_far.step    = checkpoint->progress().step;
+        so_far.time    = checkpoint->progress().time;
+        so_far.seconds = checkpoint->progress().elapsed_seconds;
       }
     else
       first_state = model.space.initial_state();
+    so_far.end_time = parameters.load_stepping.end_time();
     results = std::make_unique<Results>(folder,
                                         model.space,
                                         model.shapes,
@@ -95,6 +99,7 @@ namespace lumbricus
     if (checkpoint == nullptr)
       results->write(state, step);
     begun = true;
+    note_reached(state, step);
 
     const auto save = [&]() {
       dealii::TimerOutput::Scope scope(timer, "checkpoints");
@@ -154,6 +159,32 @@ namespace lumbricus
 
 
 
+  const dealii::Triangulation<dim> &
+  ChainProblem::mesh() const
+  {
+    return model.triangulation;
+  }
+
+
+
+  const RunStatus &
+  ChainProblem::status() const
+  {
+    return so_far;
+  }
+
+
+
+  void
+  ChainProblem::note_reached(const State &state, const StepRecord &step)
+  {
+    so_far.step    = step.number;
+    so_far.time    = state.time;
+    so_far.seconds = step.elapsed_seconds;
+  }
+
+
+
   void
   ChainProblem::take_steps(State                       &state,
                            StepRecord                  &step,
@@ -178,6 +209,7 @@ namespace lumbricus
         charge(record, before);
         state = next;
         step  = record;
+        note_reached(state, step);
 
         log_step(log, step, parameters.load_stepping.end_time());
         for (const AdaptationRecord &adaptation : step.adaptations)
@@ -220,11 +252,12 @@ namespace lumbricus
   void
   ChainProblem::log_where_time_went()
   {
-    log_costs(log,
-              timer,
-              run_timer.wall_time(),
-              parameters.linear_solver->statistics(),
-              comm);
+    so_far.costs   = run_costs(timer,
+                             run_timer.wall_time(),
+                             parameters.linear_solver->statistics(),
+                             comm);
+    so_far.seconds = seconds_before_restart + so_far.costs->seconds;
+    log_costs(log, *so_far.costs);
   }
 
 

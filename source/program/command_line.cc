@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/program_version.h>
 #include <lumbricus/program/command_line.h>
-
-#include <deal.II/base/config.h>
 
 #include <getopt.h>
 
@@ -150,13 +149,8 @@ namespace lumbricus
   void
   print_version(std::ostream &out)
   {
-    out << "lumbricus " LUMBRICUS_VERSION " (deal.II " DEAL_II_PACKAGE_VERSION
-           ", "
-#ifdef DEBUG
-           "Debug"
-#else
-           "Release"
-#endif
-           ")\n";
+    const ProgramVersion version = program_version();
+    out << "lumbricus " << version.program << " (deal.II " << version.deal_ii
+        << ", " << version.build_type << ")\n";
   }
 } // namespace lumbricus

@@ -4,19 +4,27 @@
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/core/out_of_memory.h>
 #include <lumbricus/core/parameter_file.h>
+#include <lumbricus/core/prm_scanner.h>
+#include <lumbricus/core/user_text.h>
+#include <lumbricus/output/run_description.h>
 #include <lumbricus/program/blas.h>
 #include <lumbricus/program/chain_problem.h>
 #include <lumbricus/program/memory_end.h>
 #include <lumbricus/program/run.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <set>
 #include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
 
 namespace lumbricus
 {
@@ -151,7 +159,58 @@ namespace lumbricus
 
 
 
-    // The first that changes files in the folder.
+    // Where files and folders are, by parameter, so that parameters.prm runs
+    // the run again from anywhere, into its folder. What a parameter file
+    // cannot hold stays as the user wrote it.
+    ParameterFile::Values
+    places_to_run_again(const std::vector<InputFile> &input_files,
+                        const std::string            &output_folder)
+    {
+      const auto fits = [](const std::string &path) {
+        return !path.empty() && is_utf8(path) && unfit_for_a_line(path).empty();
+      };
+      ParameterFile::Values places;
+      std::set<std::string> unfit;
+      for (const InputFile &file : input_files)
+        {
+          std::string &list = places[file.parameter];
+          list += (list.empty() ? "" : ", ") + file.path;
+          if (!fits(file.path) || file.path.find(',') != std::string::npos)
+            unfit.insert(file.parameter);
+        }
+      for (const std::string &parameter : unfit)
+        places.erase(parameter);
+
+      std::error_code   error;
+      const std::string folder =
+        std::filesystem::canonical(output_folder, error).string();
+      if (fits(folder))
+        places["Output/Folder"] = folder;
+      return places;
+    }
+
+
+
+    // How a run has ended that came to @p status, by what all ranks have
+    // thrown; it is still running where that is none of these.
+    RunStatus
+    ended(RunStatus status, const std::exception &exception)
+    {
+      const auto *foreseen =
+        dynamic_cast<const dealii::ExceptionBase *>(&exception);
+      if (dynamic_cast<const ExcInterrupted *>(&exception) != nullptr)
+        status.state = RunStatus::State::interrupted;
+      else if (foreseen != nullptr && is_thrown_on_all_ranks(*foreseen))
+        status.state = RunStatus::State::failed;
+      if (status.state != RunStatus::State::running)
+        status.message = plain_message(*foreseen);
+      return status;
+    }
+
+
+
+    // The first that changes files in the folder. @p resolved is for
+    // parameters.prm.
     void
     begin_folder(RunFolder         &folder,
                  Log               &log,
@@ -258,16 +317,33 @@ namespace lumbricus
     file.print_resolved(resolved);
     RunRequest request;
     request.parameters = resolved.str();
+    std::unique_ptr<RunDescription> description;
     if (!command_line.check)
       {
         request.input_files = file.input_files();
+        const ParameterFile::Values places =
+          places_to_run_again(request.input_files, parameters.output_folder);
+        std::ostringstream to_run_again;
+        file.print_resolved(to_run_again, places);
         for (const std::string &name : {log_name, Manifest::parameters})
           folder->claim(name);
+        description = std::make_unique<RunDescription>(*folder);
+        description->describe_run(
+          parameters.title, dealii::Utilities::MPI::n_mpi_processes(comm));
+        if (restart)
+          description->describe_restart(checkpoint->program_version(),
+                                        checkpoint->progress().step,
+                                        checkpoint->progress().time);
+        description->describe_body(parameters.anatomy,
+                                   parameters.boundary_conditions,
+                                   problem.mesh());
+        description->describe_parameters(file.entries(places));
         problem.prepare(*folder, checkpoint.get());
         leave_if_interrupted_before_begin(comm);
         begin_results(
           [&]() {
-            begin_folder(*folder, log, request.parameters, !restart, comm);
+            begin_folder(*folder, log, to_run_again.str(), !restart, comm);
+            description->write(problem.status());
           },
           []() { return false; });
       }
@@ -288,29 +364,27 @@ namespace lumbricus
         throw_on_all_ranks<ExcInput>(log.lost_output(), comm);
       }
     else
-      try
-        {
-          begin_results(
-            [&]() { problem.run(*folder, request, checkpoint.get()); },
-            [&]() { return problem.has_begun(); });
-        }
-      catch (const ExcInput &)
-        {
-          throw;
-        }
-      catch (const ExcSolveFailed &)
-        {
-          throw;
-        }
-      catch (const ExcInterrupted &)
-        {
-          throw;
-        }
-      catch (const std::exception &exception)
-        {
-          // Before the problem is destroyed, which needs all ranks.
-          abort_on_bug(exception, comm);
-        }
+      {
+        RunStatus status;
+        try
+          {
+            begin_results(
+              [&]() { problem.run(*folder, request, checkpoint.get()); },
+              [&]() { return problem.has_begun(); });
+          }
+        catch (const std::exception &exception)
+          {
+            status = ended(problem.status(), exception);
+            // Before the problem is destroyed, which needs all ranks.
+            if (status.state == RunStatus::State::running)
+              abort_on_bug(exception, comm);
+            description->try_to_write(status);
+            throw;
+          }
+        status       = problem.status();
+        status.state = RunStatus::State::finished;
+        description->write(status);
+      }
   }
 
 

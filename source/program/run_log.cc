@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/program/run_log.h>
 
-#include <deal.II/base/utilities.h>
-
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
@@ -62,43 +60,31 @@ namespace lumbricus
 
 
   void
-  log_costs(Log                          &log,
-            const dealii::TimerOutput    &timer,
-            const double                  total,
-            const LinearSolverStatistics &statistics,
-            const MPI_Comm                comm)
+  log_costs(Log &log, const RunCosts &costs)
   {
     std::ostringstream table;
     table << "\nWhere the time went" << std::setw(20) << "seconds"
           << std::setw(8) << "share" << std::setw(9) << "calls\n";
-    const auto seconds =
-      timer.get_summary_data(dealii::TimerOutput::total_wall_time);
-    const auto calls = timer.get_summary_data(dealii::TimerOutput::n_calls);
-    const auto row   = [&](const std::string &name, const double s) {
+    const auto row = [&](const std::string &name, const double seconds) {
       table << "  " << std::left << std::setw(25) << name << std::right
-            << std::fixed << std::setw(12) << std::setprecision(2) << s
-            << std::setw(7) << std::setprecision(0) << 100. * s / total << "%";
+            << std::fixed << std::setw(12) << std::setprecision(2) << seconds
+            << std::setw(7) << std::setprecision(0)
+            << 100. * seconds / costs.seconds << "%";
     };
-    for (const auto &[name, s] : seconds)
+    for (const RunCosts::Part &part : costs.parts)
       {
-        row(name, s);
-        table << std::setw(8) << calls.at(name) << "\n";
-        if (name == "linear solver")
+        row(part.name, part.seconds);
+        table << std::setw(8) << part.n_calls << "\n";
+        for (const RunCosts::Part &below : part.parts)
           {
-            row("  factorisation", statistics.factor_seconds);
-            table << std::setw(8) << statistics.n_factorisations << "\n";
-            row("  iterations", statistics.solve_seconds);
-            table << std::setw(8) << statistics.n_iterations << "\n";
+            row("  " + below.name, below.seconds);
+            table << std::setw(8) << below.n_calls << "\n";
           }
       }
-    row("total", total);
-
-    dealii::Utilities::System::MemoryStats memory;
-    dealii::Utilities::System::get_memory_stats(memory);
-    const double most = dealii::Utilities::MPI::max(memory.VmHWM / 1024., comm);
+    row("total", costs.seconds);
     table << "\nPeak memory of the largest rank: " << std::setprecision(0)
-          << most << " MB.\nMost iterations of a linear solve: "
-          << statistics.most_iterations << ".\n";
+          << costs.peak_memory << " MB.\nMost iterations of a linear solve: "
+          << costs.most_linear_iterations << ".\n";
     log << table.str();
   }
 } // namespace lumbricus

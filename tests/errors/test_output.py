@@ -32,8 +32,9 @@ def test_folder_that_cannot_be_written(folder, ranks, tmp_path):
 # A log that could not be opened was left out without a word; the others ended
 # with exit code 2, as if a solve had failed.
 @pytest.mark.parametrize("name, ranks", [
-    ("log.txt", 1), ("log.txt", 2), ("parameters.prm", 1), ("segments.csv", 1),
-    ("points.csv", 1), ("vtu/solution_00000.0.vtu", 1), ("solution.pvd", 2)])
+    ("log.txt", 1), ("log.txt", 2), ("parameters.prm", 1), ("run.json", 1),
+    ("run.json", 2), ("segments.csv", 1), ("points.csv", 1),
+    ("vtu/solution_00000.0.vtu", 1), ("solution.pvd", 2)])
 def test_folders_of_the_names_of_files(name, ranks, tmp_path):
     (tmp_path / name).mkdir(parents=True)
     result = run(BLOCK, tmp_path, ["Output/Points=0, 0, 0"], ranks)

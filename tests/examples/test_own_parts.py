@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A law, a geometry, an activation, a table and a field from outside the tree, in a
 program that finds this one with CMake: in its build folder, and where it is
-installed."""
+installed; and lumbricus-plot draws that geometry."""
 # On Debian 13 neither of the two could be built: deal.II is set there to link with
 # mold, which nothing installs, and CMake, told nothing, writes files for make, which
 # is missing too. So deal.II asks here for a linker that does not exist, and the
@@ -13,6 +13,7 @@ import subprocess
 
 import pytest
 
+from drawn_bar import check_pictures
 from lumbricus_run import SOURCE
 
 EXAMPLE = SOURCE / "examples" / "own_parts"
@@ -116,6 +117,17 @@ def test_parts_of_another_project(mine, installed, tmp_path):
     for row in rows:
         assert abs(row["volume"] - 10 / 3 * (4 + 2 + 1)) < 1e-9
         assert max(abs(row["s" + 2 * axis]) for axis in "xyz") < 1e-8
+
+    # A quarter of it is the same.
+    run(mine, EXAMPLE / "twitch.prm", "--output", tmp_path / "quarter", "--set",
+        "Geometry/tapered bar/Quarter=true")
+    quarter = rows_of(tmp_path / "quarter" / "segments.csv")
+    whole = rows_of(tmp_path / "twitch" / "segments.csv")
+    assert len(quarter) == len(whole)
+    for row, expected in zip(quarter, whole):
+        for name in ("length", "wall_volume"):
+            assert abs(row[name] - expected[name]) < 1e-9
+    check_pictures(tmp_path)
 
     # The program itself runs from where it is installed, and lacks that law.
     process = subprocess.run([installed / "bin" / "lumbricus",

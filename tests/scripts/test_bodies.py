@@ -12,13 +12,13 @@ from PIL import Image
 from lumbricus_run import SOURCE, run_well
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-from lumbricus_plot.body import Body  # noqa: E402
+from lumbricus_plot.body import Body, with_image  # noqa: E402
 from lumbricus_plot.command import main  # noqa: E402
 from lumbricus_plot.fields import (  # noqa: E402
     MEAN_WEIGHTS, have_no_partner, nodes_of_cells, read_grid, read_series)
 from lumbricus_plot.scene import LIQUID_COLOURS, MUSCLE_COLOURS  # noqa: E402
 from lumbricus_plot.surface import Faces  # noqa: E402
-from lumbricus_plot.tables import read_parameters  # noqa: E402
+from lumbricus_plot.tables import read_description  # noqa: E402
 
 # The ends and the middle of every edge of VTK's quadratic hexahedra.
 EDGES = np.array([[0, 1, 8], [1, 2, 9], [2, 3, 10], [3, 0, 11], [4, 5, 12],
@@ -112,10 +112,11 @@ def test_volume_and_pressure(runs, section):
 def test_body_is_closed(runs, section):
     """A quarter of the whole body is left out, and its surface is closed."""
     run = runs(section)
-    body = Body(read_parameters(run.folder))
+    body = Body(read_description(run.folder)["body"])
+    assert 2**len(body.mirrors) == MIRRORS[section]
     grid = read_grid(read_series(run.folder)[0][1])
     volume = MIRRORS[section] * grid.compute_cell_sizes()["Volume"].sum()
-    faces = Faces(body.opened(grid), body)
+    faces = Faces(*body.opened(grid))
     surface = faces.surface(np.full(len(faces.nodes), True))
     assert surface.clean(tolerance=1e-6).n_open_edges == 0
     assert surface.volume == pytest.approx(0.75 * volume, rel=0.03)
@@ -123,6 +124,34 @@ def test_body_is_closed(runs, section):
     lines = faces.lines(with_mesh=False).points
     assert np.abs(lines[:, 1:]).min(axis=1).max() < 1e-6
     assert len(faces.lines(with_mesh=True).points) > len(lines)
+
+
+def test_planes_of_the_cut():
+    """Those that have the axis in them come first, and there is a part of the
+    body on both sides; a plane of symmetry need not go through the axis."""
+    def body(*planes, axis="x"):
+        return Body({"axis": axis, "tissues": [], "symmetry_planes": [
+            {"normal": normal, "position": position}
+            for normal, position in planes]})
+
+    corners = np.array([[0, 0, 0], [4, 2, 3.0]])
+    assert body().cut(corners) == []
+    assert body().cut(corners - 1) == [(1, 0), (2, 0)]
+    assert body(axis="z").cut(corners - 1) == [(0, 0), (1, 0)]
+    # What is mirrored in two planes, of which one is across the axis.
+    assert body(("y", 0), ("x", 0)).cut(
+        np.array([[-4, -2, 0], [4, 2, 3.0]])) == [(0, 0), (1, 0)]
+    # As far as all has been mirrored.
+    assert body(("z", 3)).cut(np.array([[0, -2, 0], [4, 2, 6.0]])) == [
+        (1, 0), (2, 3)]
+
+
+def test_mirrored_in_a_plane_beside_the_axis():
+    points = np.array([[1.0, 2, 3], [1, 2, 4]])
+    assert np.allclose(with_image(points, 2, 4),
+                       [[1, 2, 3], [1, 2, 4], [1, 2, 5], [1, 2, 4]])
+    assert np.allclose(with_image(points, 2)[2:], [[1, 2, -3], [1, 2, -4]])
+    assert np.allclose(with_image(points, None)[2:], points)
 
 
 def test_parts_of_others_are_partners():

@@ -4,6 +4,7 @@ what is wrong with a folder that it cannot draw."""
 import base64
 import html.parser
 import io
+import json
 import re
 import shutil
 import subprocess
@@ -157,8 +158,11 @@ def test_report_has_the_numbers(finished, report):
 
 def test_report_has_versions_times_and_parameters(finished, report):
     text = Page(report / "report.html").text
-    assert finished.log.splitlines()[0] in text
+    assert f"{finished.log.splitlines()[0]}, 1 rank" in text
     assert "factorisation" in "".join(text)
+    seconds = finished.log.split("Where the time went")[1].split(
+        "\n  total")[1].split()[0]
+    assert text[text.index("total") + 1] == seconds
     assert any("The run is done." in part for part in text)
     assert "It was not adapted." in text
     named = [part for part in text if part == "Tissues/liquid/Neo-Hooke/a"]
@@ -174,8 +178,13 @@ def test_run_that_is_going_on(finished, copy):
     for name in ("resets.csv", "steps.csv", "newton.csv", "mesh.csv"):
         with open(copy / name, "a") as file:
             file.write("9,0.9")
-    log = (copy / "log.txt").read_text()
-    (copy / "log.txt").write_text(log[:log.index("Where the time went")])
+    description = json.loads((copy / "run.json").read_text())
+    description["status"].update(state="running", step=0, time=0)
+    description["where_the_time_went"] = None
+    (copy / "run.json").write_text(json.dumps(description))
+    # What the run has for people is not needed.
+    (copy / "log.txt").unlink()
+    (copy / "parameters.prm").unlink()
     names = sorted((copy / "vtu").glob("*.pvtu"))
     names[-1].unlink()
     pvd = (copy / "solution.pvd").read_text()
@@ -229,8 +238,8 @@ def refused(capsys):
 
 
 def test_folder_that_is_no_run(refused, tmp_path):
-    refused(tmp_path, "parameters.prm", "give the output folder of a run")
-    refused(tmp_path / "nowhere", "parameters.prm")
+    refused(tmp_path, "run.json", "give the output folder of a run")
+    refused(tmp_path / "nowhere", "run.json")
     process = plot(tmp_path)
     assert process.returncode == 1
     assert process.stderr.count("\n") == 1
@@ -256,8 +265,36 @@ def test_tables_that_are_missing_or_empty(refused, copy):
     table.write_text(text.replace("wall_mesh_quality", "other", 1))
     refused(copy, "segments.csv", "'wall_mesh_quality'")
     table.write_text(text)
-    (copy / "log.txt").unlink()
-    refused(copy, "log.txt", "give the output folder of a run")
+
+
+def test_description_that_is_missing_or_damaged(refused, copy):
+    description = copy / "run.json"
+    text = description.read_text()
+    description.unlink()
+    refused(copy, "run.json", "older version", "run the case again")
+    description.write_text(text[:-100])
+    refused(copy, "run.json", "is damaged", "run the case again")
+    description.write_text("[]")
+    refused(copy, "run.json", "run the case again")
+    description.write_text(text.replace('"symmetry_planes"', '"planes"'))
+    refused(copy, "run.json", "'symmetry_planes'", "run the case again")
+
+
+@pytest.mark.parametrize("state, words", [
+    ("interrupted", "The run was interrupted."),
+    ("failed", "The run could not go on.")])
+def test_report_says_how_the_run_ended(state, words, copy):
+    description = json.loads((copy / "run.json").read_text())
+    description["status"].update(state=state, message="Because <b>.")
+    description["restart"] = {"version": "0.0.7", "step": 2, "time": 0.05}
+    (copy / "run.json").write_text(json.dumps(description))
+    assert main([str(copy), "--only", "report"]) == 0
+    text = Page(copy / "report.html").text
+    assert any(words in part for part in text)
+    assert "Because <b>." in text
+    assert any("from time 0.05 on, until which it was version 0.0.7" in part
+               for part in text)
+    assert "Since the last restart." in text
 
 
 def test_fields_that_are_missing(refused, copy):

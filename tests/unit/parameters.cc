@@ -4,7 +4,9 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/expression.h>
 #include <lumbricus/core/json_parameters.h>
+#include <lumbricus/core/json_value.h>
 #include <lumbricus/core/number_in_text.h>
+#include <lumbricus/core/parameter_entry.h>
 #include <lumbricus/core/parameter_file.h>
 #include <lumbricus/core/pattern_words.h>
 #include <lumbricus/core/patterns.h>
@@ -15,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -324,11 +327,75 @@ TEST(ParameterFile, ResolvedParametersHaveTheValuesOfTheRun)
   EXPECT_TRUE(contains(out.str(), "set Number = 9")) << out.str();
   EXPECT_FALSE(contains(out.str(), "Mooney-Rivlin/")) << out.str();
 
+  // Other values where they are asked for, which the run does not get.
+  std::ostringstream other;
+  file.print_resolved(other,
+                      {{"Outer part/Inner/Number", "=8"}, {"None", "1"}});
+  EXPECT_TRUE(contains(other.str(), "set Number = =8")) << other.str();
+  EXPECT_EQ(other.str().size(), out.str().size() + 1);
+  EXPECT_EQ(file.entries({{"Title", "x"}}).front().value, "x");
+  EXPECT_EQ(file.entries().front().value, "");
+
   // The reference has all there is.
   Owner              fresh;
   std::ostringstream all;
   ParameterFile::print_reference(fresh, all);
   EXPECT_TRUE(contains(all.str(), "subsection Mooney-Rivlin")) << all.str();
+}
+
+
+
+TEST(ParameterEntry, HasUnitAndMeaning)
+{
+  dealii::ParameterHandler prm;
+  prm.enter_subsection("M&M, 1.5");
+  prm.declare_entry("a b",
+                    "2",
+                    dealii::Patterns::Double(),
+                    "[N/mm^2] Modulus [at rest].");
+  prm.declare_entry("c", "", dealii::Patterns::Anything(), "No [unit].");
+  prm.set("a b", "3");
+  prm.leave_subsection();
+  const auto entries = entries_of(prm);
+  ASSERT_EQ(entries.size(), 2u);
+  EXPECT_EQ(entries[0].path, "M&M, 1.5/a b");
+  EXPECT_EQ(entries[0].value, "3");
+  EXPECT_EQ(entries[0].default_value, "2");
+  EXPECT_EQ(entries[0].unit, "N/mm^2");
+  EXPECT_EQ(entries[0].meaning, "Modulus [at rest].");
+  EXPECT_EQ(entries[1].unit, "");
+  EXPECT_EQ(entries[1].meaning, "No [unit].");
+}
+
+
+
+TEST(JsonValue, IsWrittenAsJson)
+{
+  JsonValue all = JsonValue::object();
+  all.add("a/b", "\"\\ ² \n\x01")
+    .add("null", JsonValue())
+    .add("yes", true)
+    .add("whole", -3)
+    .add("number", 0.1)
+    .add("tiny", 1e-300)
+    .add("nan", std::numeric_limits<double>::quiet_NaN())
+    .add("texts", std::vector<std::string>{"x", "y/"})
+    .add("none", JsonValue::array());
+  std::ostringstream flat;
+  all.write(flat);
+  EXPECT_EQ(flat.str(),
+            R"({"a/b": "\"\\ ² \n?", "null": null, "yes": true, )"
+            R"("whole": -3, "number": 0.1, "tiny": 1e-300, "nan": null, )"
+            R"("texts": ["x", "y/"], "none": []})");
+
+  std::ostringstream nested;
+  JsonValue::object()
+    .add("one", 1)
+    .add("list", JsonValue::array().append(JsonValue::object().add("b", "c")))
+    .write(nested);
+  EXPECT_EQ(nested.str(),
+            "{\n  \"one\": 1,\n  \"list\": [\n    {\"b\": \"c\"}\n"
+            "  ]\n}");
 }
 
 

@@ -51,6 +51,14 @@ namespace lumbricus
     const MuscleAction &
     action() const;
 
+    /** The name of its FibreField, as users choose it. */
+    const std::string &
+    fibres_name() const;
+
+    /** The name of its MuscleAction, as users choose it. */
+    const std::string &
+    action_name() const;
+
     /**
      * The unit vector along the fibres at @p X. Throws ExcInput where they
      * have no direction, naming muscle and point.

@@ -48,6 +48,10 @@ namespace lumbricus
     const MaterialLaw &
     law() const;
 
+    /** The name of that law, as users choose it. */
+    const std::string &
+    law_name() const;
+
     /** The path of the law's section, for messages. */
     std::string
     law_section() const;

@@ -3,6 +3,7 @@
 #define lumbricus_core_parameter_file_h
 
 #include <lumbricus/core/input_file.h>
+#include <lumbricus/core/parameter_entry.h>
 #include <lumbricus/core/parameter_owner.h>
 #include <lumbricus/core/parameter_source.h>
 
@@ -10,6 +11,7 @@
 
 #include <functional>
 #include <iosfwd>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -62,9 +64,18 @@ namespace lumbricus
     const std::vector<std::string> &
     unused() const;
 
-    /** All parameters with the values of this run, to run it again. */
+    /** Values of parameters by their paths. */
+    using Values = std::map<std::string, std::string>;
+
+    /** All parameters with the values of this run, to run it again, but those
+     * of @p instead with the values there. */
     void
-    print_resolved(std::ostream &out);
+    print_resolved(std::ostream &out, const Values &instead = {}) const;
+
+    /** All parameters, with what they mean; their values as by
+     * print_resolved(). */
+    std::vector<ParameterEntry>
+    entries(const Values &instead = {}) const;
 
     /** The files that the parameters name, as they are now: those with the
      * pattern dealii::Patterns::FileName(), or a list of it, that are set. */

@@ -5,6 +5,7 @@
 #include <lumbricus/checkpoint/checkpoint.h>
 #include <lumbricus/core/log.h>
 #include <lumbricus/output/results.h>
+#include <lumbricus/output/run_description.h>
 #include <lumbricus/program/chain_model.h>
 #include <lumbricus/program/run_watch.h>
 
@@ -60,6 +61,15 @@ namespace lumbricus
     bool
     has_begun() const;
 
+    /** The mesh, after setup(). */
+    const dealii::Triangulation<dim> &
+    mesh() const;
+
+    /** How far the run has come, after prepare(); with its costs when run() has
+     * ended. It knows of no end: that is running. */
+    const RunStatus &
+    status() const;
+
   private:
     /** The steps of a run, which change @p state and @p step. */
     void
@@ -105,6 +115,10 @@ namespace lumbricus
     void
     adapt(State &state, StepRecord &step);
 
+    /** Note that @p state is reached by @p step. */
+    void
+    note_reached(const State &state, const StepRecord &step);
+
     void
     log_where_time_went();
 
@@ -135,6 +149,7 @@ namespace lumbricus
     std::unique_ptr<Results> results;
     State                    first_state; ///< of this part of the run
     bool                     begun = false;
+    RunStatus                so_far;
 
     /** Whose changes divide steps, of what that was said. */
     std::set<std::string> said_to_divide;

@@ -3,10 +3,8 @@
 #define lumbricus_program_run_log_h
 
 #include <lumbricus/core/log.h>
+#include <lumbricus/output/run_costs.h>
 #include <lumbricus/output/step_record.h>
-#include <lumbricus/solvers/linear_solver.h>
-
-#include <deal.II/base/timer.h>
 
 namespace lumbricus
 {
@@ -22,14 +20,9 @@ namespace lumbricus
   void
   log_adaptation(Log &log, const AdaptationRecord &record);
 
-  /** The table of where @p total seconds went, and the largest rank's peak
-   * memory. Collective. */
+  /** The table of where the time went, and the largest rank's peak memory. */
   void
-  log_costs(Log                          &log,
-            const dealii::TimerOutput    &timer,
-            const double                  total,
-            const LinearSolverStatistics &statistics,
-            const MPI_Comm                comm);
+  log_costs(Log &log, const RunCosts &costs);
 } // namespace lumbricus
 
 #endif

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/program_version.h>
+
+#include <deal.II/base/config.h>
+
+namespace lumbricus
+{
+  ProgramVersion
+  program_version()
+  {
+    return {LUMBRICUS_VERSION,
+            DEAL_II_PACKAGE_VERSION,
+#ifdef DEBUG
+            "Debug"
+#else
+            "Release"
+#endif
+    };
+  }
+} // namespace lumbricus
