@@ -86,7 +86,7 @@ namespace lumbricus
                          .add("name", names[i].name)
                          .add("liquid", anatomy.is_liquid(i))
                          .add("law", anatomy.tissue(i).law_name())
-                         .add("muscles", anatomy.tissue(i).muscles()));
+                         .add("muscles", anatomy.tissue(i).muscle_names()));
       return tissues;
     }
 

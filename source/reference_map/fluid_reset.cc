@@ -5,8 +5,8 @@
 
 namespace lumbricus
 {
-  const NodalHistory rest_displacement("u_ref");
-  const NodalHistory volume_displacement("u_vol");
+  const NodalHistory rest_displacement{"u_ref"};
+  const NodalHistory volume_displacement{"u_vol"};
 
 
 

@@ -65,7 +65,8 @@ def test_what_it_is(chain):
                "muscles": []} for name in ("septum", "cap"))],
         "muscles": [{"name": "circular", "field": "circular",
                      "tissues": ["wall"], "fibres": "circumferential",
-                     "active_stretch": "expression"}],
+                     "action": "active stretch",
+                     "activation": "expression"}],
         "boundaries": found["body"]["boundaries"]}
     assert "skin" in found["body"]["boundaries"]
     assert found["boundary_conditions"] == []

@@ -26,6 +26,7 @@ namespace lumbricus
     NodalHistory &
     operator=(const NodalHistory &) = delete;
 
+    /** That it was defined with. */
     const std::string &
     name() const;
 
@@ -33,6 +34,7 @@ namespace lumbricus
      * entries. Not for the innermost loop. */
     Vector &
     in(State &state) const;
+    /** The same, to read. */
     const Vector &
     in(const State &state) const;
 

@@ -23,8 +23,8 @@ namespace lumbricus
     /** A solution, and when it was that of the run. */
     struct Past
     {
-      double time;
-      Vector solution;
+      double time;     ///< as State::time
+      Vector solution; ///< as State::solution
     };
 
     /** The load parameter, called time [any unit: the problem is static]. */

@@ -36,8 +36,10 @@ namespace lumbricus
       return n_solution * (1 + n_past) + n_displacements * n_histories;
     }
 
+    /** Of the histories and the past that @p state has. */
     explicit CellLayout(const State &state);
 
+    /** How many numbers there are. */
     unsigned int
     size() const;
 
@@ -73,7 +75,7 @@ namespace lumbricus
     read(const dealii::DoFHandler<dim>::active_cell_iterator &cell,
          std::vector<double>                                 &values);
 
-    const CellLayout layout;
+    const CellLayout layout; ///< of what is read
 
   private:
     const MixedSpace &space;
@@ -99,7 +101,7 @@ namespace lumbricus
     write(const dealii::DoFHandler<dim>::active_cell_iterator &cell,
           const std::vector<double>                           &values);
 
-    const CellLayout layout;
+    const CellLayout layout; ///< of what is written
 
   private:
     const MixedSpace &space;

@@ -19,9 +19,9 @@ namespace lumbricus
     /** A part of the program. */
     struct Part
     {
-      std::string  name;
-      double       seconds;
-      unsigned int n_calls;
+      std::string  name;    ///< of the section, as in the log
+      double       seconds; ///< wall time in it
+      unsigned int n_calls; ///< how often it was entered
       /** Parts of it. */
       std::vector<Part> parts = {};
     };

@@ -29,7 +29,7 @@ namespace lumbricus
       failed
     };
 
-    State        state = State::running;
+    State        state = State::running; ///< what the run is at
     std::string  message;       ///< why it has not come to its end
     unsigned int step     = 0;  ///< load steps until now
     double       time     = 0.; ///< reached

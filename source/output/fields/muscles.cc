@@ -72,5 +72,7 @@ namespace lumbricus
   };
 
   static const Register<Field, ActivationOfMuscle>
-    activation_of_muscle("activation", "what every muscle does, as lambda.");
+    activation_of_muscle("activation",
+                         "that of every muscle: 'active_stretch' and its "
+                         "name for lambda.");
 } // namespace lumbricus

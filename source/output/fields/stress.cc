@@ -28,7 +28,7 @@ namespace lumbricus
   };
 
   static const Register<Field, CauchyStress>
-    cauchy_stress("cauchy_stress", "sigma [N/mm^2].");
+    stress_field("cauchy_stress", "sigma [N/mm^2].");
 
 
 
