@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/build_version.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/program/command_line.h>
-
-#include <deal.II/base/config.h>
 
 #include <getopt.h>
 
@@ -83,7 +82,7 @@ namespace lumbricus
         }
 
     const int n_files = argc - optind;
-    if (help || version || parameters)
+    if (help || version)
       return;
     if (!restart_folder.empty())
       {
@@ -95,6 +94,8 @@ namespace lumbricus
                              "; '--set' changes a parameter." + advice));
         return;
       }
+    if (parameters && n_files == 0)
+      return;
     AssertThrow(n_files == 1,
                 ExcInput((n_files == 0 ?
                             std::string("No parameter file was given.") :
@@ -134,7 +135,10 @@ namespace lumbricus
          "                             comes to\n"
          "  -q, --quiet                say only what is wrong; log.txt has the "
          "rest\n"
-         "  --parameters               print all parameters with documentation\n"
+         "  --parameters [FILE.prm]    print all parameters with documentation, "
+         "and those of\n"
+         "                             the libraries that FILE.prm or --set "
+         "names\n"
          "  -v, --version              print the version\n"
          "  -h, --help                 print this\n"
          "\n"
@@ -150,13 +154,6 @@ namespace lumbricus
   void
   print_version(std::ostream &out)
   {
-    out << "lumbricus " LUMBRICUS_VERSION " (deal.II " DEAL_II_PACKAGE_VERSION
-           ", "
-#ifdef DEBUG
-           "Debug"
-#else
-           "Release"
-#endif
-           ")\n";
+    out << LUMBRICUS_BUILD_VERSION "\n";
   }
 } // namespace lumbricus

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A law, a geometry and an activation from outside the tree, in a program that finds
-this one with CMake: in its build folder, and where it is installed."""
+"""A law, a geometry and an activation from outside the tree, in a program and in a library
+that find this one with CMake: in its build folder, and where it is installed."""
 # On Debian 13 neither of the two could be built: deal.II is set there to link with
 # mold, which nothing installs, and CMake, told nothing, writes files for make, which
 # is missing too. So deal.II asks here for a linker that does not exist, and the
@@ -9,10 +9,11 @@ import math
 import os
 import subprocess
 
+import pytest
 from lumbricus_run import SOURCE
 
 EXAMPLE = SOURCE / "examples" / "own_parts"
-
+ENTRY = "Additional shared libraries"
 
 NO_LINKER = "-fuse-ld=no_such_linker"
 
@@ -20,7 +21,7 @@ NO_LINKER = "-fuse-ld=no_such_linker"
 def cmake(*arguments):
     """What it says."""
     process = subprocess.run([os.environ["CMAKE"], *map(str, arguments)],
-                             capture_output=True, text=True, timeout=300)
+                             capture_output=True, text=True, timeout=600)
     assert process.returncode == 0, process.stdout + process.stderr
     return process.stdout + process.stderr
 
@@ -36,11 +37,19 @@ def deal_ii_without_linker(folder):
     return folder
 
 
+def call(program, *arguments, ranks=1):
+    """What the program says, which has to end well."""
+    mpirun = [os.environ.get("MPIRUN", "mpirun"), "-np", str(ranks)]
+    process = subprocess.run([*(mpirun if ranks > 1 else []),
+                              *map(str, [program, *arguments])],
+                             capture_output=True, text=True, timeout=120)
+    assert process.returncode == 0, process.stdout + process.stderr
+    return process.stdout
+
+
 def run(program, case, folder):
     """The rows of points.csv, or of segments.csv where there are no points."""
-    process = subprocess.run([program, EXAMPLE / case, "--output", folder],
-                             capture_output=True, text=True, timeout=60)
-    assert process.returncode == 0, process.stdout + process.stderr
+    call(program, EXAMPLE / case, "--output", folder)
     table = folder / "points.csv"
     if not table.exists():
         table = folder / "segments.csv"
@@ -48,7 +57,10 @@ def run(program, case, folder):
     return [dict(zip(header, map(float, row))) for row in rows]
 
 
-def test_parts_of_another_project(tmp_path):
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    """Where the package is installed, and what is built with it."""
+    tmp_path = tmp_path_factory.mktemp("own_parts")
     installed = tmp_path / "installed"
     cmake("--install", os.environ["BUILD_FOLDER"], "--prefix", installed)
     package = next(installed.glob("lib*/**/LumbricusConfig.cmake")).parent
@@ -63,9 +75,13 @@ def test_parts_of_another_project(tmp_path):
     assert f"a linker that is missing ({NO_LINKER})" in said
     assert said.count("a linker that is missing") == 1
     cmake("--build", tmp_path / "build")
+    return installed / "bin" / "lumbricus", tmp_path / "build"
 
+
+def test_parts_of_another_project(built, tmp_path):
+    program, build = built
     # The law: a bar that is pulled.
-    mine = tmp_path / "build" / "my_lumbricus"
+    mine = build / "my_lumbricus"
     for row in run(mine, "case.prm", tmp_path / "law"):
         l = 1 + row["t"]
         exact = 0.1 * math.exp(0.5 * (l * l + 2 / l - 3)) * (l * l - 1 / l)
@@ -83,8 +99,55 @@ def test_parts_of_another_project(tmp_path):
     assert min(row["length"] for row in rows) < 9.01
 
     # The program itself runs from where it is installed, and lacks that law.
-    process = subprocess.run([installed / "bin" / "lumbricus",
-                              EXAMPLE / "case.prm", "--check"],
+    process = subprocess.run([program, EXAMPLE / "case.prm", "--check"],
                              capture_output=True, text=True, timeout=60)
     assert process.returncode == 1
     assert "'exponential'" in process.stderr
+
+
+def contents(folder):
+    """Of all files that do not say when it was, without what names the library or the
+    folder."""
+    tables = {}
+    for table in sorted(folder.glob("*.csv")):
+        rows = [line.split(",") for line in table.read_text().splitlines()]
+        timed = [i for i, name in enumerate(rows[0]) if "seconds" in name]
+        tables[table.name] = [[value for i, value in enumerate(row) if i not in timed]
+                              for row in rows]
+    pictures = {picture.name: picture.read_bytes()
+                for picture in (folder / "vtu").glob("*.vtu")}
+    parameters = [line for line in (folder / "parameters.prm").read_text().splitlines()
+                  if ENTRY not in line and "set Folder " not in line]
+    assert tables and pictures and parameters
+    return tables, pictures, parameters
+
+
+@pytest.mark.parametrize("case", ["case.prm", "twitch.prm"])
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_the_library_gives_what_the_program_gives(case, ranks, built, tmp_path):
+    program, build = built
+    library = ["--set", f"{ENTRY}={build / 'libmy_parts.so'}"]
+    often = ["--set", "Checkpoints/Steps=1"]
+    call(build / "my_lumbricus", EXAMPLE / case, "--output", tmp_path / "program", *often,
+         ranks=ranks)
+    expected = contents(tmp_path / "program")
+
+    assert "The input is valid" in call(program, "--check", EXAMPLE / case, *library,
+                                        ranks=ranks)
+    call(program, EXAMPLE / case, "--output", tmp_path / "library", *library, *often,
+         ranks=ranks)
+    assert contents(tmp_path / "library") == expected
+
+    # In two parts: the library is that of the checkpoint.
+    call(program, EXAMPLE / case, "--output", tmp_path / "parts", *library, *often,
+         "--set", "Time/End=0.5", ranks=ranks)
+    call(program, "--restart", tmp_path / "parts", "--set", "Time/End=1", ranks=ranks)
+    assert contents(tmp_path / "parts")[0]["segments.csv"] == expected[0]["segments.csv"]
+
+
+def test_parameters_of_the_library(built):
+    program, build = built
+    reference = call(program, "--parameters", "--set", f"{ENTRY}={build / 'libmy_parts.so'}")
+    for name in ("subsection exponential", "set Width at the head", "set Period"):
+        assert name in reference
+    assert "subsection exponential" not in call(program, "--parameters")

@@ -4,6 +4,7 @@
 
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/core/registration.h>
 
 #include <deal.II/base/patterns.h>
 
@@ -11,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <typeinfo>
 #include <vector>
 
 namespace lumbricus
@@ -35,7 +37,8 @@ namespace lumbricus
       std::function<std::unique_ptr<Base>()> create;
     };
 
-    /** All there are, by name; complete before main() starts. */
+    /** All there are, by name: complete when the libraries that the input
+     * names are loaded (SharedLibraries). */
     static std::map<std::string, Entry> &
     entries()
     {
@@ -93,12 +96,14 @@ namespace lumbricus
   {
     /**
      * Under @p name; @p description is a sentence for the parameter reference.
+     * Where that name is taken the first keeps it, until the clash is an error
+     * of the program's (clash_of_names()).
      */
     Register(const std::string &name, const std::string &description)
     {
-      Registry<Base>::entries()[name] = {description, []() {
-                                           return std::make_unique<Derived>();
-                                         }};
+      note_registration(typeid(Base), typeid(Derived), name, this);
+      Registry<Base>::entries().insert(
+        {name, {description, []() { return std::make_unique<Derived>(); }}});
     }
   };
 
