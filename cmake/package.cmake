@@ -15,7 +15,7 @@ configure_package_config_file(cmake/LumbricusConfig.cmake.in LumbricusConfig.cma
   INSTALL_DESTINATION ${_package})
 write_basic_package_version_file(LumbricusConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
-foreach(file setup_target.cmake check_linker.cmake)
+foreach(file setup_target.cmake check_linker.cmake add_plugin.cmake plugin_version.cc)
   configure_file(cmake/${file} ${file} COPYONLY)
   install(FILES cmake/${file} DESTINATION ${_package})
 endforeach()

@@ -464,6 +464,17 @@ namespace lumbricus
 
 
 
+  void
+  ParameterFile::read_ahead(ParameterOwner &part) const
+  {
+    ParameterFile file;
+    file.sources = sources;
+    part.declare_parameters(file.prm);
+    file.set_known_values();
+  }
+
+
+
   const std::vector<std::string> &
   ParameterFile::unused() const
   {

@@ -46,8 +46,6 @@ namespace lumbricus
   void
   OutputParts::declare_parameters(dealii::ParameterHandler &prm)
   {
-    Registry<Table>::check_names("tables");
-    Registry<Field>::check_names("fields");
     for (const auto &[name, table] : all_tables)
       {
         AssertThrow(can_be_a_file(name),

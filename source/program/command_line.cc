@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/build_version.h>
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/program_version.h>
 #include <lumbricus/program/command_line.h>
 
 #include <getopt.h>
@@ -82,7 +82,7 @@ namespace lumbricus
         }
 
     const int n_files = argc - optind;
-    if (help || version || parameters)
+    if (help || version)
       return;
     if (!restart_folder.empty())
       {
@@ -94,6 +94,8 @@ namespace lumbricus
                              "; '--set' changes a parameter." + advice));
         return;
       }
+    if (parameters && n_files == 0)
+      return;
     AssertThrow(n_files == 1,
                 ExcInput((n_files == 0 ?
                             std::string("No parameter file was given.") :
@@ -133,7 +135,10 @@ namespace lumbricus
          "                             comes to\n"
          "  -q, --quiet                say only what is wrong; log.txt has the "
          "rest\n"
-         "  --parameters               print all parameters with documentation\n"
+         "  --parameters [FILE.prm]    print all parameters with documentation, "
+         "and those of\n"
+         "                             the libraries that FILE.prm or --set "
+         "names\n"
          "  -v, --version              print the version\n"
          "  -h, --help                 print this\n"
          "\n"
@@ -149,8 +154,6 @@ namespace lumbricus
   void
   print_version(std::ostream &out)
   {
-    const ProgramVersion version = program_version();
-    out << "lumbricus " << version.program << " (deal.II " << version.deal_ii
-        << ", " << version.build_type << ")\n";
+    out << LUMBRICUS_BUILD_VERSION "\n";
   }
 } // namespace lumbricus

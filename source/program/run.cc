@@ -11,6 +11,7 @@
 #include <lumbricus/program/chain_problem.h>
 #include <lumbricus/program/memory_end.h>
 #include <lumbricus/program/run.h>
+#include <lumbricus/program/shared_libraries.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
@@ -269,6 +270,7 @@ namespace lumbricus
       file.read(command_line.parameter_file);
     for (const std::string &setting : command_line.settings)
       file.set(setting);
+    load_shared_libraries(file, comm);
     file.parse(parameters);
     parameters.initialize();
     if (restart)

@@ -15,6 +15,7 @@ namespace lumbricus
   void
   RunParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
+    shared_libraries.declare_parameters(prm);
     prm.add_parameter("Title", title, "One line for the log.");
     unit_check.declare_parameters(prm);
 

@@ -10,6 +10,7 @@
 #include <lumbricus/program/run.h>
 #include <lumbricus/program/run_parameters.h>
 #include <lumbricus/program/run_program.h>
+#include <lumbricus/program/shared_libraries.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -33,6 +34,24 @@ namespace lumbricus
             open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) !=
               stream)
           return;
+    }
+
+
+
+    // All parameters there are, with those of the libraries that a file or a
+    // setting names.
+    void
+    print_parameters(const CommandLine &command_line, const MPI_Comm comm)
+    {
+      ParameterFile file;
+      if (!command_line.parameter_file.empty())
+        file.read(command_line.parameter_file);
+      for (const std::string &setting : command_line.settings)
+        file.set(setting);
+      load_shared_libraries(file, comm);
+      RunParameters parameters;
+      if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+        ParameterFile::print_reference(parameters, std::cout);
     }
 
 
@@ -67,19 +86,18 @@ namespace lumbricus
 
     try
       {
+        check_registrations();
         const CommandLine command_line(argc, argv);
         if (command_line.help || command_line.version ||
             command_line.parameters)
           {
-            if (!first)
-              return ExitCode::done;
-            RunParameters parameters;
-            if (command_line.help)
+            if (command_line.parameters && !command_line.help &&
+                !command_line.version)
+              print_parameters(command_line, comm);
+            else if (first && command_line.help)
               print_help(std::cout);
-            else if (command_line.version)
+            else if (first)
               print_version(std::cout);
-            else
-              ParameterFile::print_reference(parameters, std::cout);
             check_said();
             return ExitCode::done;
           }

@@ -14,7 +14,7 @@ from lumbricus_run import Run, run
 
 # What no user should have to read.
 JARGON = ("An error occurred", "Stacktrace", "exception", "Exception",
-          "TimerOutput", "violated", "bug", "MPI_ABORT", "[Anything]",
+          "TimerOutput", "violated", " bug", "MPI_ABORT", "[Anything]",
           "[Map", "[List", "[Name]", "std::")
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A law, a geometry, an activation, a table and a field from outside the tree, in a
-program that finds this one with CMake: in its build folder, and where it is
-installed; and lumbricus-plot draws that geometry."""
+program and in a library that find this one with CMake: in its build folder, and where
+it is installed; and lumbricus-plot draws that geometry."""
 # On Debian 13 neither of the two could be built: deal.II is set there to link with
 # mold, which nothing installs, and CMake, told nothing, writes files for make, which
 # is missing too. So deal.II asks here for a linker that does not exist, and the
@@ -17,7 +17,7 @@ from drawn_bar import check_pictures
 from lumbricus_run import SOURCE
 
 EXAMPLE = SOURCE / "examples" / "own_parts"
-
+ENTRY = "Additional shared libraries"
 
 NO_LINKER = "-fuse-ld=no_such_linker"
 
@@ -25,7 +25,7 @@ NO_LINKER = "-fuse-ld=no_such_linker"
 def cmake(*arguments):
     """What it says."""
     process = subprocess.run([os.environ["CMAKE"], *map(str, arguments)],
-                             capture_output=True, text=True, timeout=300)
+                             capture_output=True, text=True, timeout=600)
     assert process.returncode == 0, process.stdout + process.stderr
     return process.stdout + process.stderr
 
@@ -47,6 +47,10 @@ def installed(tmp_path_factory):
     folder = tmp_path_factory.mktemp("installed")
     cmake("--install", os.environ["BUILD_FOLDER"], "--prefix", folder)
     return folder
+
+
+def program_of(installed):
+    return installed / "bin" / "lumbricus"
 
 
 @pytest.fixture(scope="module")
@@ -80,11 +84,12 @@ def rows_of(table):
 
 
 def run(program, *arguments, ranks=1):
-    """Let it run, which has to go well."""
+    """What it says, which has to end well."""
     mpirun = [os.environ["MPIRUN"], "-np", str(ranks)] if ranks > 1 else []
     process = subprocess.run([*mpirun, program, *map(str, arguments)],
-                             capture_output=True, text=True, timeout=120)
+                             capture_output=True, text=True, timeout=300)
     assert process.returncode == 0, process.stdout + process.stderr
+    return process.stdout
 
 
 def stress_at(l):
@@ -130,8 +135,7 @@ def test_parts_of_another_project(mine, installed, tmp_path):
     check_pictures(tmp_path)
 
     # The program itself runs from where it is installed, and lacks that law.
-    process = subprocess.run([installed / "bin" / "lumbricus",
-                              EXAMPLE / "case.prm", "--check"],
+    process = subprocess.run([program_of(installed), EXAMPLE / "case.prm", "--check"],
                              capture_output=True, text=True, timeout=60)
     assert process.returncode == 1
     assert "'exponential'" in process.stderr
@@ -182,7 +186,7 @@ def test_a_table_whose_name_is_taken(package, tmp_path):
     assert text.count('"mean_stress"') == 1
     (tmp_path / "taken.cc").write_text(text.replace('"mean_stress"', '"steps"'))
     (tmp_path / "CMakeLists.txt").write_text(
-        (EXAMPLE / "CMakeLists.txt").read_text().split("add_executable")[0] +
+        (EXAMPLE / "CMakeLists.txt").read_text().split("lumbricus_add_plugin")[0] +
         f"add_executable(taken {EXAMPLE}/main.cc taken.cc)\n"
         "lumbricus_setup_target(taken)\n"
         "set_property(TARGET taken APPEND PROPERTY\n"
@@ -195,5 +199,68 @@ def test_a_table_whose_name_is_taken(package, tmp_path):
                               "--output", tmp_path / "results"],
                              capture_output=True, text=True, timeout=60)
     assert process.returncode == 1
-    assert "Two tables have registered themselves as 'steps'" in process.stderr
+    assert "the name 'steps' is that of two classes of lumbricus::Table" in \
+        process.stderr
     assert not (tmp_path / "results").exists()
+
+
+def untimed_rows(folder, name):
+    """The rows of a table without its columns of seconds, the header first."""
+    rows = [line.split(",") for line in (folder / name).read_text().splitlines()]
+    timed = [i for i, column in enumerate(rows[0]) if "seconds" in column]
+    return [[value for i, value in enumerate(row) if i not in timed] for row in rows]
+
+
+def contents(folder):
+    """Of all files of a run, without what says when and where it ran, and without the
+    parameter that names the library."""
+    tables = {path.name: untimed_rows(folder, path.name)
+              for path in folder.glob("*.csv")}
+    pictures = {path.name: path.read_bytes().split(b"-->", 1)[1]
+                for path in (folder / "vtu").glob("*.vtu")}
+    parameters = [line for line in (folder / "parameters.prm").read_text().splitlines()
+                  if ENTRY not in line and "set Folder " not in line]
+    assert len(tables) > 4 and pictures and parameters
+    return tables, pictures, parameters
+
+
+def check_near(rows, expected, tolerance):
+    assert rows[0] == expected[0] and len(rows) == len(expected) > 1
+    for row, other in zip(rows[1:], expected[1:]):
+        assert [*map(float, row)] == pytest.approx(
+            [*map(float, other)], rel=tolerance, abs=tolerance, nan_ok=True)
+
+
+@pytest.mark.parametrize("case", ["case.prm", "twitch.prm"])
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_the_library_gives_what_the_program_gives(case, ranks, mine, installed,
+                                                  tmp_path):
+    program = program_of(installed)
+    library = ["--set", f"{ENTRY}={mine.parent / 'libmy_parts.so'}"]
+    assert "The input is valid" in run(program, "--check", EXAMPLE / case, *library,
+                                       ranks=ranks)
+    run(mine, EXAMPLE / case, "--output", tmp_path / "theirs", ranks=ranks)
+    run(program, EXAMPLE / case, "--output", tmp_path / "ours", *library, ranks=ranks)
+    expected = untimed_rows(tmp_path / "theirs", "segments.csv")
+    if ranks == 1:
+        assert contents(tmp_path / "ours") == contents(tmp_path / "theirs")
+    else:
+        # MUMPS takes messages as they come.
+        check_near(untimed_rows(tmp_path / "ours", "segments.csv"), expected, 1e-9)
+
+    # In two parts: the library is that of the checkpoint.
+    run(program, EXAMPLE / case, "--output", tmp_path / "parts", *library,
+        "--set", "Checkpoints/Steps=1", "--set", "Time/End=0.5", ranks=ranks)
+    run(program, "--restart", tmp_path / "parts", "--set", "Time/End=1", ranks=ranks)
+    rows = untimed_rows(tmp_path / "parts", "segments.csv")
+    assert rows[-1][0] == "1"
+    check_near([rows[0], rows[-1]], [expected[0], expected[-1]], 1e-7)
+
+
+def test_parameters_of_the_library(mine, installed):
+    program = program_of(installed)
+    reference = run(program, "--parameters", "--set",
+                    f"{ENTRY}={mine.parent / 'libmy_parts.so'}")
+    for name in ("subsection exponential", "set Width at the head", "set Period"):
+        assert name in reference
+    assert "subsection exponential" not in run(program, "--parameters")

@@ -15,34 +15,6 @@
 
 using namespace lumbricus;
 
-namespace
-{
-  /** Something to register, by a number. */
-  class Part : public ParameterOwner
-  {
-  public:
-    void
-    declare_parameters(dealii::ParameterHandler & /*prm*/) override
-    {}
-
-    virtual int
-    number() const = 0;
-  };
-
-  template <int n>
-  class Numbered : public Part
-  {
-  public:
-    int
-    number() const override
-    {
-      return n;
-    }
-  };
-} // namespace
-
-
-
 TEST(TableRows, TextIsInQuotesWhereItNeedsThem)
 {
   TableRows rows({"a", "b, c"});
@@ -63,31 +35,6 @@ TEST(TableRows, RowsAreComplete)
   TableRows rows({"a", "b"});
   rows << 1;
   EXPECT_THROW(rows.end_row(), dealii::ExcDimensionMismatch);
-}
-
-
-
-TEST(Registry, TwoOfANameAreAnError)
-{
-  const Register<Part, Numbered<1>> first("one", "The first.");
-  const Register<Part, Numbered<2>> second("two", "Another.");
-  EXPECT_NO_THROW(Registry<Part>::check_names("parts"));
-
-  const Register<Part, Numbered<3>> third("one", "It comes too late.");
-  EXPECT_EQ(Registry<Part>::create("one")->number(), 1);
-  std::string message;
-  try
-    {
-      dealii::ParameterHandler prm;
-      Choice<Part>("Which", "two", "").declare_parameters(prm);
-    }
-  catch (const ExcInput &exception)
-    {
-      message = plain_message(exception);
-    }
-  EXPECT_EQ(message,
-            "Two choices of 'Which' have registered themselves as 'one'. Give "
-            "yours another name in its Register.");
 }
 
 

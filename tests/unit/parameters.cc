@@ -11,12 +11,15 @@
 #include <lumbricus/core/pattern_words.h>
 #include <lumbricus/core/patterns.h>
 #include <lumbricus/core/prm_scanner.h>
+#include <lumbricus/core/registration.h>
+#include <lumbricus/core/registry.h>
 #include <lumbricus/core/text_lines.h>
 #include <lumbricus/materials/material_law.h>
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -95,6 +98,77 @@ namespace
     return input_error([&]() { after(settings); });
   }
 } // namespace
+
+
+
+namespace
+{
+  /** An interface, and two classes of the same name for users. */
+  struct Sound
+  {
+    virtual ~Sound() = default;
+  };
+  struct Bark : public Sound
+  {};
+  struct Rind : public Sound
+  {};
+} // namespace
+
+
+
+TEST(Registry, TwoOfTheSameNameAreNamedBoth)
+{
+  // All that this program is linked with.
+  const std::size_t n = registrations().size();
+  EXPECT_GT(n, 20u);
+  EXPECT_EQ(clash_of_names(registrations()), "");
+
+  const Register<Sound, Bark> bark("bark", "of a dog");
+  const Register<Sound, Bark> wave("wave", "as an activation is called");
+  EXPECT_EQ(clash_of_names(registrations()), "");
+
+  const Register<Sound, Rind> rind("bark", "of a tree");
+  ASSERT_EQ(registrations().size(), n + 3);
+  const std::string clash = clash_of_names(registrations());
+  EXPECT_TRUE(contains(clash, "the name 'bark' is that of two classes of "))
+    << clash;
+  EXPECT_TRUE(contains(clash, "Sound: ")) << clash;
+  EXPECT_TRUE(contains(clash, "Bark in '")) << clash;
+  EXPECT_TRUE(contains(clash, " and ")) << clash;
+  EXPECT_TRUE(contains(clash, "Rind in '")) << clash;
+  // The first keeps it.
+  const auto first = Registry<Sound>::create("bark");
+  EXPECT_NE(dynamic_cast<Bark *>(first.get()), nullptr);
+}
+
+
+
+TEST(ParameterFile, ReadsAPartAhead)
+{
+  class Part : public ParameterOwner
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override
+    {
+      prm.add_parameter("Number", number, "", PositiveNumber());
+    }
+
+    double number = 1.;
+  };
+
+  ParameterFile file;
+  Part          part;
+  file.read_ahead(part);
+  EXPECT_EQ(part.number, 1.);
+  for (const char *setting : {"Other/Number=7", "Number=2", "Unknown=x"})
+    file.set(setting);
+  file.read_ahead(part);
+  EXPECT_EQ(part.number, 2.);
+  file.set("Number=-1");
+  EXPECT_TRUE(contains(input_error([&]() { file.read_ahead(part); }),
+                       "'Number' is '-1', but has to be a number > 0"));
+}
 
 
 

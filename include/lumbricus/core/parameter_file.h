@@ -44,6 +44,11 @@ namespace lumbricus
     void
     set(const std::string &setting);
 
+    /** Read the parameters of @p part alone, before those of the others are
+     * known: what decides of these. Throws ExcInput where a value is wrong. */
+    void
+    read_ahead(ParameterOwner &part) const;
+
     /**
      * Declare, read and extend the parameters of @p root until all that the
      * input asks for is declared (see ParameterOwner), then check them. An

@@ -4,6 +4,7 @@
 
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/core/registration.h>
 
 #include <deal.II/base/patterns.h>
 
@@ -11,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <typeinfo>
 #include <vector>
 
 namespace lumbricus
@@ -35,32 +37,13 @@ namespace lumbricus
       std::function<std::unique_ptr<Base>()> create;
     };
 
-    /** All there are, by name; complete before main() starts. */
+    /** All there are, by name: complete when the libraries that the input
+     * names are loaded (SharedLibraries). */
     static std::map<std::string, Entry> &
     entries()
     {
       static std::map<std::string, Entry> all;
       return all;
-    }
-
-    /** Names that a second implementation has wished to have; complete before
-     * main() starts. */
-    static std::vector<std::string> &
-    names_taken()
-    {
-      static std::vector<std::string> all;
-      return all;
-    }
-
-    /** Throw ExcInput where two implementations have the same name; @p what
-     * they are is for the message, as "tables". */
-    static void
-    check_names(const std::string &what)
-    {
-      AssertThrow(names_taken().empty(),
-                  ExcInput("Two " + what + " have registered themselves as '" +
-                           names_taken().front() +
-                           "'. Give yours another name in its Register."));
     }
 
     /** Make the one called @p name, which has to be there. */
@@ -113,14 +96,14 @@ namespace lumbricus
   {
     /**
      * Under @p name; @p description is a sentence for the parameter reference.
-     * Where the name is taken it has no effect, see Registry::check_names().
+     * Where that name is taken the first keeps it, until the clash is an error
+     * of the program's (clash_of_names()).
      */
     Register(const std::string &name, const std::string &description)
     {
-      const typename Registry<Base>::Entry entry = {
-        description, []() { return std::make_unique<Derived>(); }};
-      if (!Registry<Base>::entries().emplace(name, entry).second)
-        Registry<Base>::names_taken().push_back(name);
+      note_registration(typeid(Base), typeid(Derived), name, this);
+      Registry<Base>::entries().insert(
+        {name, {description, []() { return std::make_unique<Derived>(); }}});
     }
   };
 
@@ -170,7 +153,6 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override
     {
-      Registry<Base>::check_names("choices of '" + entry + "'");
       // An empty default means that the user has to choose.
       const std::string none = name.empty() ? "|" : "";
       prm.add_parameter(entry,

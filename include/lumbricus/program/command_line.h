@@ -16,7 +16,7 @@ namespace lumbricus
 
     bool                     help       = false; ///< --help
     bool                     version    = false; ///< --version
-    bool                     parameters = false; ///< --parameters
+    bool                     parameters = false; ///< --parameters, perhaps of a file
     bool                     check      = false; ///< --check
     bool                     quiet      = false; ///< --quiet
     bool                     verbose    = false; ///< --verbose

@@ -11,6 +11,7 @@
 #include <lumbricus/discretization/interface_coupling.h>
 #include <lumbricus/loads/boundary_conditions.h>
 #include <lumbricus/output/output_parts.h>
+#include <lumbricus/program/shared_libraries.h>
 #include <lumbricus/program/stability_watch.h>
 #include <lumbricus/program/symmetry_check.h>
 #include <lumbricus/program/unit_check.h>
@@ -64,6 +65,7 @@ namespace lumbricus
     void
     follow_loads(const dealii::parallel::TriangulationBase<dim> &triangulation);
 
+    SharedLibraries      shared_libraries;    ///< loaded before all others
     std::string          title;               ///< a line for the log
     UnitCheck            unit_check;          ///< entry Units
     Anatomy              anatomy;             ///< Geometry, Tissues, Muscles
