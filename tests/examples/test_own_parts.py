@@ -24,7 +24,7 @@ NO_LINKER = "-fuse-ld=no_such_linker"
 def cmake(*arguments):
     """What it says."""
     process = subprocess.run([os.environ["CMAKE"], *map(str, arguments)],
-                             capture_output=True, text=True, timeout=300)
+                             capture_output=True, text=True, timeout=600)
     assert process.returncode == 0, process.stdout + process.stderr
     return process.stdout + process.stderr
 
