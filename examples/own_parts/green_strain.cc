@@ -16,9 +16,8 @@ namespace
     dealii::Tensor<2, dim>
     value(const lumbricus::FieldPoint &point) const override
     {
-      dealii::Tensor<2, dim> E = transpose(point.F) * point.F;
-      E -= dealii::unit_symmetric_tensor<dim>();
-      return 0.5 * E;
+      const dealii::Tensor<2, dim> I = dealii::unit_symmetric_tensor<dim>();
+      return 0.5 * (transpose(point.F) * point.F - I);
     }
   };
 
