@@ -42,7 +42,7 @@ def call(program, *arguments, ranks=1):
     mpirun = [os.environ.get("MPIRUN", "mpirun"), "-np", str(ranks)]
     process = subprocess.run([*(mpirun if ranks > 1 else []),
                               *map(str, [program, *arguments])],
-                             capture_output=True, text=True, timeout=120)
+                             capture_output=True, text=True, timeout=300)
     assert process.returncode == 0, process.stdout + process.stderr
     return process.stdout
 
@@ -105,21 +105,30 @@ def test_parts_of_another_project(built, tmp_path):
     assert "'exponential'" in process.stderr
 
 
+def rows_of(folder, name):
+    """The rows of a table without its columns of seconds, the header first."""
+    rows = [line.split(",") for line in (folder / name).read_text().splitlines()]
+    timed = [i for i, column in enumerate(rows[0]) if "seconds" in column]
+    return [[value for i, value in enumerate(row) if i not in timed] for row in rows]
+
+
 def contents(folder):
-    """Of all files that do not say when it was, without what names the library or the
-    folder."""
-    tables = {}
-    for table in sorted(folder.glob("*.csv")):
-        rows = [line.split(",") for line in table.read_text().splitlines()]
-        timed = [i for i, name in enumerate(rows[0]) if "seconds" in name]
-        tables[table.name] = [[value for i, value in enumerate(row) if i not in timed]
-                              for row in rows]
-    pictures = {picture.name: picture.read_bytes()
-                for picture in (folder / "vtu").glob("*.vtu")}
+    """Of all files of a run, without what says when and where it ran, and without the
+    parameter that names the library."""
+    tables = {path.name: rows_of(folder, path.name) for path in folder.glob("*.csv")}
+    pictures = {path.name: path.read_bytes().split(b"-->", 1)[1]
+                for path in (folder / "vtu").glob("*.vtu")}
     parameters = [line for line in (folder / "parameters.prm").read_text().splitlines()
                   if ENTRY not in line and "set Folder " not in line]
-    assert tables and pictures and parameters
+    assert len(tables) > 4 and pictures and parameters
     return tables, pictures, parameters
+
+
+def check_near(rows, expected, tolerance):
+    assert rows[0] == expected[0] and len(rows) == len(expected) > 1
+    for row, other in zip(rows[1:], expected[1:]):
+        assert [*map(float, row)] == \
+            pytest.approx([*map(float, other)], rel=tolerance, abs=tolerance, nan_ok=True)
 
 
 @pytest.mark.parametrize("case", ["case.prm", "twitch.prm"])
@@ -127,22 +136,24 @@ def contents(folder):
 def test_the_library_gives_what_the_program_gives(case, ranks, built, tmp_path):
     program, build = built
     library = ["--set", f"{ENTRY}={build / 'libmy_parts.so'}"]
-    often = ["--set", "Checkpoints/Steps=1"]
-    call(build / "my_lumbricus", EXAMPLE / case, "--output", tmp_path / "program", *often,
-         ranks=ranks)
-    expected = contents(tmp_path / "program")
-
     assert "The input is valid" in call(program, "--check", EXAMPLE / case, *library,
                                         ranks=ranks)
-    call(program, EXAMPLE / case, "--output", tmp_path / "library", *library, *often,
-         ranks=ranks)
-    assert contents(tmp_path / "library") == expected
+    call(build / "my_lumbricus", EXAMPLE / case, "--output", tmp_path / "theirs", ranks=ranks)
+    call(program, EXAMPLE / case, "--output", tmp_path / "ours", *library, ranks=ranks)
+    expected = rows_of(tmp_path / "theirs", "segments.csv")
+    if ranks == 1:
+        assert contents(tmp_path / "ours") == contents(tmp_path / "theirs")
+    else:
+        # MUMPS takes messages as they come.
+        check_near(rows_of(tmp_path / "ours", "segments.csv"), expected, 1e-9)
 
     # In two parts: the library is that of the checkpoint.
-    call(program, EXAMPLE / case, "--output", tmp_path / "parts", *library, *often,
-         "--set", "Time/End=0.5", ranks=ranks)
+    call(program, EXAMPLE / case, "--output", tmp_path / "parts", *library,
+         "--set", "Checkpoints/Steps=1", "--set", "Time/End=0.5", ranks=ranks)
     call(program, "--restart", tmp_path / "parts", "--set", "Time/End=1", ranks=ranks)
-    assert contents(tmp_path / "parts")[0]["segments.csv"] == expected[0]["segments.csv"]
+    rows = rows_of(tmp_path / "parts", "segments.csv")
+    assert rows[-1][0] == "1"
+    check_near([rows[0], rows[-1]], [expected[0], expected[-1]], 1e-7)
 
 
 def test_parameters_of_the_library(built):
