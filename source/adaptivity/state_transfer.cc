@@ -18,8 +18,8 @@ namespace lumbricus
 {
   namespace
   {
-    using Values       = std::vector<double>;
-    using CellIterator = dealii::Triangulation<dim>::cell_iterator;
+    using Values         = std::vector<double>;
+    using ParentIterator = dealii::Triangulation<dim>::cell_iterator;
 
     // Where the nine scalars of u, u_ref and u_vol begin in a CellState.
     std::vector<unsigned int>
@@ -156,10 +156,10 @@ namespace lumbricus
         transfer(
           triangulation,
           false,
-          [&](const CellIterator & /*parent*/, const Values &parent) {
+          [&](const ParentIterator & /*parent*/, const Values &parent) {
             return family.to_children(parent);
           },
-          [&](const CellIterator & /*parent*/,
+          [&](const ParentIterator & /*parent*/,
               const std::vector<Values> &children) {
             return family.to_parent(children);
           });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/cell_fields.h>
+#include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/same_cell.h>
 
@@ -18,7 +19,7 @@ namespace lumbricus
 
   namespace
   {
-    constexpr unsigned int n_q = MixedSpace::n_q_points;
+    using cell_sizes::n_q;
 
     // The values of all fields at one quadrature point, in order.
     class PointValues
