@@ -5,6 +5,19 @@ function(add_pytest kind name)
     COMMAND ${Python3_EXECUTABLE} -m pytest -q -p no:cacheprovider
       ${PROJECT_SOURCE_DIR}/tests/${kind}/${name}.py)
   set_tests_properties(${kind}/${name} PROPERTIES
-    LABELS "${kind};${ARGN}" PROCESSORS 2 TIMEOUT 1200
-    ENVIRONMENT "LUMBRICUS=$<TARGET_FILE:lumbricus>;MPIRUN=${LUMBRICUS_MPIRUN};PYTHONPATH=${PROJECT_SOURCE_DIR}/tests;PYTHONDONTWRITEBYTECODE=1;OMP_NUM_THREADS=1;OPENBLAS_NUM_THREADS=1")
+    LABELS "${kind};${ARGN}" TIMEOUT 1200
+    ENVIRONMENT "LUMBRICUS=$<TARGET_FILE:lumbricus>;MPIRUN=${LUMBRICUS_MPIRUN};PYTHONPATH=${PROJECT_SOURCE_DIR}/tests;PYTHONDONTWRITEBYTECODE=1;${LUMBRICUS_TEST_ENVIRONMENT}")
+endfunction()
+
+# take_two_cores(<kind>/<name>...): tests that are to have no other one beside
+# them. Most have runs on one rank, one after another, and those on two ranks
+# share the cores with what runs beside them.
+function(take_two_cores)
+  set_tests_properties(${ARGN} PROPERTIES PROCESSORS 2)
+endfunction()
+
+# start_early(<kind>/<name>...): tests that are so long that a core would wait
+# for one that is started last.
+function(start_early)
+  set_tests_properties(${ARGN} PROPERTIES COST 100)
 endfunction()

@@ -18,8 +18,8 @@ namespace lumbricus
 {
   namespace
   {
-    using Values       = std::vector<double>;
-    using CellIterator = dealii::Triangulation<dim>::cell_iterator;
+    using Values         = std::vector<double>;
+    using ParentIterator = dealii::Triangulation<dim>::cell_iterator;
 
     // Where the components of all displacements begin.
     std::vector<unsigned int>
@@ -169,10 +169,10 @@ namespace lumbricus
         transfer(
           triangulation,
           false,
-          [&](const CellIterator & /*parent*/, const Values &parent) {
+          [&](const ParentIterator & /*parent*/, const Values &parent) {
             return family.to_children(parent);
           },
-          [&](const CellIterator & /*parent*/,
+          [&](const ParentIterator & /*parent*/,
               const std::vector<Values> &children) {
             return family.to_parent(children);
           });

@@ -12,8 +12,7 @@ namespace lumbricus
     const std::string manifest_end = "checksum ";
     const std::string cells_begin  = "cells.";
 
-    constexpr auto any_size = std::numeric_limits<std::uintmax_t>::max();
-    constexpr auto any_32   = std::numeric_limits<std::uint32_t>::max();
+    constexpr auto any_32 = std::numeric_limits<std::uint32_t>::max();
 
 
 
@@ -116,8 +115,9 @@ namespace lumbricus
       else if (lines.item() == "file")
         {
           Fingerprint content;
-          content.checksum       = lines.get_count(any_32);
-          content.size           = lines.get_count(any_size);
+          content.checksum =
+            lines.get_count(Fingerprint::largest_checksum);
+          content.size = lines.get_count(Fingerprint::largest_size);
           const std::string name = lines.get_word();
           if (!is_name_of_a_file(name) ||
               !manifest.files.emplace(name, content).second)

@@ -16,9 +16,6 @@ namespace lumbricus
 {
   namespace
   {
-    constexpr auto any_size     = std::numeric_limits<std::uintmax_t>::max();
-    constexpr auto any_checksum = std::numeric_limits<std::uint32_t>::max();
-
     // More would not be counted on by one.
     constexpr unsigned int most_steps =
       std::numeric_limits<unsigned int>::max() / 2;
@@ -75,8 +72,9 @@ namespace lumbricus
         if (item == "table")
           {
             Fingerprint content;
-            content.size           = lines.get_count(any_size);
-            content.checksum       = lines.get_count(any_checksum);
+            content.size = lines.get_count(Fingerprint::largest_size);
+            content.checksum =
+              lines.get_count(Fingerprint::largest_checksum);
             const std::string name = lines.get_word();
             if (!is_name_of_a_table(name) ||
                 !progress.tables.emplace(name, content).second)

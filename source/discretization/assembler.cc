@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/assembler.h>
+#include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/discretization/surface_tractions.h>
 
 #include <deal.II/grid/filtered_iterator.h>
@@ -12,8 +13,8 @@ namespace lumbricus
 {
   namespace
   {
-    constexpr unsigned int n_nodes    = MixedSpace::n_nodes;
-    constexpr unsigned int n_per_cell = CellUnknowns::n_per_cell;
+    using cell_sizes::n_nodes;
+    using cell_sizes::n_per_cell;
   } // namespace
 
 

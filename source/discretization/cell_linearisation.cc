@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/cell_linearisation.h>
+#include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/discretization/dgemm.h>
 #include <lumbricus/discretization/node_sums.h>
 
@@ -9,8 +10,8 @@ namespace lumbricus
 {
   namespace
   {
-    constexpr unsigned int n_nodes = MixedSpace::n_nodes;
-    constexpr unsigned int n_modes = MixedSpace::n_pressure_modes;
+    using cell_sizes::n_modes;
+    using cell_sizes::n_nodes;
     constexpr unsigned int padded  = ShapeCache::padded_nodes;
 
     // Of the nine blocks of components i and k those with i <= k.

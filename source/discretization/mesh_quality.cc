@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/discretization/mesh_quality.h>
 
 #include <deal.II/fe/fe_q.h>
@@ -11,7 +12,7 @@ namespace lumbricus
 {
   namespace
   {
-    constexpr unsigned int n_nodes = MixedSpace::n_nodes;
+    using cell_sizes::n_nodes;
 
     // Derivatives along the axes of the cell, at its nodes: the three nodes of
     // the line through a node, and what they weigh, on each axis.

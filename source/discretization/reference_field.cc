@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/reference_field.h>
 
@@ -8,7 +9,7 @@ namespace lumbricus
 {
   namespace
   {
-    constexpr unsigned int n_q = MixedSpace::n_q_points;
+    using cell_sizes::n_q;
 
     // Call function(owned_index, region) for all owned cells; an ExcInput on
     // one rank is thrown on all.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/discretization/rounding_level.h>
 
 #include <cmath>
@@ -8,7 +9,7 @@ namespace lumbricus
 {
   namespace
   {
-    constexpr unsigned int n_q = MixedSpace::n_q_points;
+    using cell_sizes::n_q;
   } // namespace
 
 

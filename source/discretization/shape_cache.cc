@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/discretization/shape_cache.h>
 
 #include <deal.II/base/exceptions.h>
@@ -10,9 +11,9 @@ namespace lumbricus
 {
   namespace
   {
-    constexpr unsigned int n_q     = MixedSpace::n_q_points;
-    constexpr unsigned int n_nodes = MixedSpace::n_nodes;
-    constexpr unsigned int n_modes = MixedSpace::n_pressure_modes;
+    using cell_sizes::n_modes;
+    using cell_sizes::n_nodes;
+    using cell_sizes::n_q;
 
     constexpr unsigned int cell_stride = n_q * dim * ShapeCache::padded_nodes;
   } // namespace

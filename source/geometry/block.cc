@@ -14,13 +14,6 @@
 
 namespace lumbricus
 {
-  namespace
-  {
-    const std::string path = "Geometry/block";
-  } // namespace
-
-
-
   /**
    * A box [0, Lx] x [0, Ly] x [0, Lz] of one tissue: one segment, for tests of
    * laws and loads. The faces at x = 0, y = 0, z = 0 can be mirror planes; the
@@ -83,6 +76,8 @@ namespace lumbricus
     }
 
   private:
+    inline static const std::string path = "Geometry/block";
+
     /** Whether the face at the lower end of axis @p d is a mirror plane. */
     bool
     mirrored(const unsigned int d) const;

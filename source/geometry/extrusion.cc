@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/geometry/extrusion.h>
+#include <lumbricus/geometry/round_axis.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/grid/manifold_lib.h>
@@ -9,8 +10,7 @@ namespace lumbricus
 {
   namespace
   {
-    constexpr unsigned int               x_axis                  = 0;
-    constexpr dealii::types::manifold_id cylindrical_manifold_id = 1;
+    constexpr unsigned int x_axis = 0;
 
 
 

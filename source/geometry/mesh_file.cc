@@ -18,13 +18,6 @@
 
 namespace lumbricus
 {
-  namespace
-  {
-    constexpr dealii::types::manifold_id cylindrical_manifold_id = 1;
-  } // namespace
-
-
-
   /**
    * A body meshed with Gmsh. Its physical volumes are named by tissue and
    * segment, its physical surfaces by boundary; see NamedMesh.

@@ -7,25 +7,6 @@
 
 namespace lumbricus
 {
-  namespace
-  {
-    const std::string path = "Geometry/open cylinder";
-
-    // The boundary ids; those of the symmetry planes follow. What comes after
-    // the skin depends on whether there is a liquid.
-    enum Boundary : unsigned int
-    {
-      head           = 0,
-      tail           = 1,
-      skin           = 2,
-      inside         = 3,
-      head_of_liquid = 3,
-      tail_of_liquid = 4
-    };
-  } // namespace
-
-
-
   /**
    * A tube along the x axis from 0 to its length, open at both ends, with or
    * without a liquid in it: one segment without septa and caps.
@@ -87,6 +68,20 @@ namespace lumbricus
     }
 
   private:
+    inline static const std::string path = "Geometry/open cylinder";
+
+    // The boundary ids; those of the symmetry planes follow. What comes after
+    // the skin depends on whether there is a liquid.
+    enum Boundary : unsigned int
+    {
+      head           = 0,
+      tail           = 1,
+      skin           = 2,
+      inside         = 3,
+      head_of_liquid = 3,
+      tail_of_liquid = 4
+    };
+
     std::vector<double>
     radii() const
     {

@@ -15,17 +15,7 @@ namespace lumbricus
 {
   namespace
   {
-    const std::string path        = "Geometry/segment chain";
     const std::string ranges_name = "Segments with their own measures";
-
-    // The boundary ids; those of the symmetry planes follow.
-    enum Boundary : unsigned int
-    {
-      head,
-      tail,
-      skin,
-      n_boundaries
-    };
 
     // What fills the disk inside the wall.
     enum class Filling
@@ -167,6 +157,17 @@ namespace lumbricus
     characteristic_length() const override;
 
   private:
+    inline static const std::string path = "Geometry/segment chain";
+
+    // The boundary ids; those of the symmetry planes follow.
+    enum Boundary : unsigned int
+    {
+      head,
+      tail,
+      skin,
+      n_boundaries
+    };
+
     std::vector<SegmentRange>
     ranges() const
     {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/discretization/local_constraints.h>
 #include <lumbricus/multigrid/coarse_level.h>
 
@@ -14,8 +15,8 @@ namespace lumbricus
 {
   namespace
   {
-    using Index                       = dealii::types::global_dof_index;
-    constexpr unsigned int n_per_cell = CellUnknowns::n_per_cell;
+    using Index = dealii::types::global_dof_index;
+    using cell_sizes::n_per_cell;
 
     class LevelMaker
     {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/patterns.h>
+#include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/multigrid/v_cycle.h>
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace lumbricus
 {
   namespace
   {
-    constexpr unsigned int n_per_cell = CellUnknowns::n_per_cell;
+    using cell_sizes::n_per_cell;
   }
 
 

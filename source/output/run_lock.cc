@@ -22,7 +22,7 @@ namespace lumbricus
 {
   namespace
   {
-    const std::string first_line =
+    const std::string lock_line =
       "A run of lumbricus writes to this folder and has locked it.";
 
     // Of the two bytes that are locked the first is that of the rank that owns
@@ -238,8 +238,8 @@ namespace lumbricus
     if (state == KernelLock::busy)
       return refusal(content, false);
     // A run that was killed may have written a part of it.
-    const auto n = std::min(content.size(), first_line.size());
-    if (content.compare(0, n, first_line, 0, n) != 0)
+    const auto n = std::min(content.size(), lock_line.size());
+    if (content.compare(0, n, lock_line, 0, n) != 0)
       return "The file '" + path +
              "' is not from a run, which would overwrite it. Move it away, or "
              "choose another folder with 'Output/Folder' or --output.";
@@ -309,7 +309,7 @@ namespace lumbricus
     std::istringstream lines(content);
     std::string        line;
     LockHolder         holder;
-    if (!std::getline(lines, line) || line != first_line)
+    if (!std::getline(lines, line) || line != lock_line)
       return holder;
     while (std::getline(lines, line))
       {
@@ -331,7 +331,7 @@ namespace lumbricus
   std::string
   LockHolder::text() const
   {
-    return first_line + "\nhost " + host + "\nboot " + boot + "\nprocess " +
+    return lock_line + "\nhost " + host + "\nboot " + boot + "\nprocess " +
            process + "\nstart " + start + "\nsince " + since + "\n";
   }
 

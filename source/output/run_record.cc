@@ -23,7 +23,7 @@ namespace lumbricus
   {
     namespace files_on_disk = std::filesystem;
 
-    const std::string first_line =
+    const std::string record_line =
       "# What a run of lumbricus has written to this folder, and so may "
       "overwrite.\n";
 
@@ -114,13 +114,13 @@ namespace lumbricus
         {
           std::ifstream in(path, std::ios::binary);
           std::string   text(std::istreambuf_iterator<char>(in), {});
-          if (text.compare(0, first_line.size(), first_line) == 0)
+          if (text.compare(0, record_line.size(), record_line) == 0)
             {
               // The last line may have been cut short.
               complete_size      = text.rfind('\n') + 1;
               ends_in_the_middle = complete_size < text.size();
-              read_lines(text.substr(first_line.size(),
-                                     complete_size - first_line.size()));
+              read_lines(text.substr(record_line.size(),
+                                     complete_size - record_line.size()));
               what.clear();
             }
         }
@@ -193,7 +193,7 @@ namespace lumbricus
     const std::string temporary = path + ".incomplete";
     std::remove(temporary.c_str());
     std::ofstream out(temporary, std::ios::binary);
-    out << first_line << "run " << id << '\n';
+    out << record_line << "run " << id << '\n';
     for (const Fingerprint &content : parameters)
       out << parameters_line(content);
     for (const std::string &name : all_files)

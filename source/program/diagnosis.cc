@@ -17,7 +17,7 @@ namespace lumbricus
     // A cell with a scaled Jacobian below this is badly shaped.
     constexpr double badly_shaped = 0.05;
 
-    const std::string advice =
+    const std::string what_to_try =
       " Try a smaller 'Time/Smallest step', a smaller active stretch or load, or "
       "a finer mesh.";
 
@@ -131,7 +131,7 @@ namespace lumbricus
                   << "loads " << percent(answer_part) << ".";
             const std::string cells = worst_cells(model, state);
             words << (cells.empty() ?
-                        advice :
+                        what_to_try :
                         " Its mesh has cells that are badly shaped: " + cells +
                           ". Try a finer mesh or one of another shape there.");
           }
@@ -140,7 +140,7 @@ namespace lumbricus
       {
         words << "\nThe stiffness of the body at time " << now.to()
               << " cannot be computed: " << plain_message(exception) << "."
-              << advice;
+              << what_to_try;
       }
     // Whoever looks at the model next finds it where the run is.
     model.set_to(state, now);

@@ -21,7 +21,7 @@ namespace lumbricus
     // Loads on curved surfaces balance as well as meshes and quadrature do.
     constexpr double refused = 1e-2, mentioned = 1e-4;
 
-    const std::string advice =
+    const std::string how_to_balance =
       "The minimal support only keeps a body in its place whose loads are in "
       "balance: its points would be pulled out, the more the finer the mesh. "
       "Balance the loads, or hold the body by a condition of type "
@@ -194,7 +194,7 @@ namespace lumbricus
             << vector_text(worst_row, 0, 1.) << " N and the moment "
             << vector_text(worst_row, dim, held.L) << " N mm about "
             << point_text(held.X0)
-            << " that no other support holds. " << advice;
+            << " that no other support holds. " << how_to_balance;
     AssertThrow(false, ExcInput(message.str()));
   }
 
@@ -227,7 +227,7 @@ namespace lumbricus
             << "xyz"[largest->direction] << ", "
             << 100. * largest->force.norm() / loads
             << " % of all loads. reactions.csv has all of its forces. "
-            << advice;
+            << how_to_balance;
     return message.str();
   }
 } // namespace lumbricus

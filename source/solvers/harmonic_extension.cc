@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/solvers/harmonic_extension.h>
 
@@ -15,8 +16,8 @@ namespace lumbricus
 {
   namespace
   {
-    constexpr unsigned int n_nodes    = MixedSpace::n_nodes;
-    constexpr unsigned int n_per_cell = CellUnknowns::n_per_cell;
+    using cell_sizes::n_nodes;
+    using cell_sizes::n_per_cell;
 
     // int grad N_m . grad N_n dV of a cell.
     using Stiffness = std::array<std::array<double, n_nodes>, n_nodes>;

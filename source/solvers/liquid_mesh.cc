@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/patterns.h>
+#include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/discretization/cell_state.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/mesh_quality.h>
@@ -16,7 +17,7 @@ namespace lumbricus
 {
   namespace
   {
-    constexpr unsigned int n_nodes = MixedSpace::n_nodes;
+    using cell_sizes::n_nodes;
 
     // Of the scaled Jacobian: nothing moves for less.
     constexpr double least_gain = 1e-6;

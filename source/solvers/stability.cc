@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/solvers/stability.h>
 
 #include <deal.II/grid/filtered_iterator.h>
@@ -10,9 +11,9 @@ namespace lumbricus
 {
   namespace
   {
-    constexpr unsigned int n_nodes    = MixedSpace::n_nodes;
-    constexpr unsigned int n_q        = MixedSpace::n_q_points;
-    constexpr unsigned int n_per_cell = CellUnknowns::n_per_cell;
+    using cell_sizes::n_nodes;
+    using cell_sizes::n_per_cell;
+    using cell_sizes::n_q;
 
     // Of linear solves, and of the stiffness that inverse iteration finds.
     constexpr double       solve_tolerance = 1e-5;

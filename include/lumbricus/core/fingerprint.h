@@ -18,6 +18,11 @@ namespace lumbricus
     std::uintmax_t size     = 0; ///< [bytes]
     std::uint32_t  checksum = 0; ///< CRC-32
 
+    static constexpr auto largest_size =
+      std::numeric_limits<std::uintmax_t>::max();
+    static constexpr auto largest_checksum =
+      std::numeric_limits<std::uint32_t>::max();
+
     /** Whether size and checksum are the same. */
     bool
     operator==(const Fingerprint &other) const

@@ -2,6 +2,7 @@
 #ifndef lumbricus_discretization_cell_unknowns_h
 #define lumbricus_discretization_cell_unknowns_h
 
+#include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/discretization/mixed_space.h>
 
 #include <deal.II/base/array_view.h>
@@ -34,8 +35,7 @@ namespace lumbricus
   {
   public:
     /** Unknowns of a cell: 81 displacements and 4 pressures. */
-    static constexpr unsigned int n_per_cell =
-      dim * MixedSpace::n_nodes + MixedSpace::n_pressure_modes;
+    static constexpr unsigned int n_per_cell = cell_sizes::n_per_cell;
     /** Unknowns that a cell shares with no other one. */
     static constexpr unsigned int n_private =
       dim + MixedSpace::n_pressure_modes;

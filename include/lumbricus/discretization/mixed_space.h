@@ -4,6 +4,7 @@
 
 #include <lumbricus/core/dimension.h>
 #include <lumbricus/core/state.h>
+#include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/discretization/nested_shape.h>
 
 #include <deal.II/base/index_set.h>
@@ -40,10 +41,10 @@ namespace lumbricus
   class MixedSpace
   {
   public:
-    static constexpr unsigned int degree           = 2;  ///< of displacements
-    static constexpr unsigned int n_nodes          = 27; ///< of a cell
-    static constexpr unsigned int n_pressure_modes = 4;  ///< of a cell
-    static constexpr unsigned int n_q_points       = 27; ///< of a cell
+    static constexpr unsigned int degree           = 2; ///< of displacements
+    static constexpr unsigned int n_nodes          = cell_sizes::n_nodes;
+    static constexpr unsigned int n_pressure_modes = cell_sizes::n_modes;
+    static constexpr unsigned int n_q_points       = cell_sizes::n_q;
 
     /** On @p triangulation, which is kept by reference and may be coarse or
      * empty still. Numbers nothing: see distribute_dofs(). */

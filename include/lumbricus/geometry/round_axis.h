@@ -6,12 +6,18 @@
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
+#include <deal.II/base/types.h>
 
 #include <array>
 #include <string>
 
 namespace lumbricus
 {
+  /** Of all that is round about an axis, of which a mesh has one. */
+  constexpr dealii::types::manifold_id cylindrical_manifold_id = 1;
+
+
+
   /** The line that surfaces of revolution are round about. */
   class RoundAxis
   {

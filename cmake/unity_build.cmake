@@ -1,0 +1,20 @@
+# lumbricus_unity_build(<target>): compile the sources of each folder together,
+# those that the target has so far. What they include is read once then.
+#
+# Files of a folder see each other's names in anonymous namespaces: none may be
+# there twice. A file that cannot join gets SKIP_UNITY_BUILD_INCLUSION, with the
+# reason. (Units of half a folder were no faster: templates of deal.II are
+# compiled anew in each.)
+option(LUMBRICUS_UNITY "Compile the files of a folder together: less time for all, more for one" ON)
+
+function(lumbricus_unity_build target)
+  if(NOT LUMBRICUS_UNITY)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_filename_component(folder ${source} DIRECTORY)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+  endforeach()
+endfunction()
