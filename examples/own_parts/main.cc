@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/program/before_libraries.h>
 #include <lumbricus/program/run_program.h>
 
 int

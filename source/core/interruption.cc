@@ -7,7 +7,7 @@
 #include <csignal>
 #include <cstdint>
 #include <ctime>
-#include <set>
+#include <iterator>
 
 namespace lumbricus
 {
@@ -66,35 +66,41 @@ namespace lumbricus
 
 
 
-    std::set<int>
-    ignored_signals()
-    {
-      std::set<int> ignored;
-      for (const Cause &cause : causes)
-        {
-          struct sigaction action = {};
-          if (sigaction(cause.signal, nullptr, &action) == 0 &&
-              action.sa_handler == SIG_IGN)
-            ignored.insert(cause.signal);
-        }
-      return ignored;
-    }
+    // Whether each of the causes was ignored when the program started. Written
+    // before anything is constructed.
+    bool was_ignored[std::size(causes)];
+    bool is_noted = false;
   } // namespace
+
+
+
+  void
+  note_ignored_signals()
+  {
+    for (unsigned int i = 0; i < std::size(causes); ++i)
+      {
+        struct sigaction action = {};
+        was_ignored[i] = sigaction(causes[i].signal, nullptr, &action) == 0 &&
+                         action.sa_handler == SIG_IGN;
+      }
+    is_noted = true;
+  }
 
 
 
   void
   watch_for_interruption()
   {
-    static const std::set<int> ignored = ignored_signals();
-    for (const Cause &cause : causes)
-      if (cause.signal != SIGPIPE)
+    if (!is_noted)
+      note_ignored_signals();
+    for (unsigned int i = 0; i < std::size(causes); ++i)
+      if (causes[i].signal != SIGPIPE)
         {
           struct sigaction action = {};
-          action.sa_handler = ignored.count(cause.signal) > 0 ? SIG_IGN : note;
-          action.sa_flags   = SA_RESTART;
+          action.sa_handler       = was_ignored[i] ? SIG_IGN : note;
+          action.sa_flags         = SA_RESTART;
           sigfillset(&action.sa_mask);
-          sigaction(cause.signal, &action, nullptr);
+          sigaction(causes[i].signal, &action, nullptr);
         }
   }
 

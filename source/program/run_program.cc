@@ -70,8 +70,9 @@ namespace lumbricus
   run_program(int argc, char *argv[])
   {
     occupy_closed_streams();
-    prepare_blas(argv);
+    // What is ignored stays so where the program starts itself anew.
     watch_for_interruption();
+    prepare_blas(argv);
     const MpiSession session(argv[0]);
     // PETSc leaves none of them.
     watch_for_interruption();

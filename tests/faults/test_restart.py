@@ -209,10 +209,10 @@ def test_a_table_that_is_gone(tmp_path):
 
 @pytest.fixture
 def small_disk(tmp_path):
-    """A file system with room for 150 kB."""
+    """A file system with room for 236 kB."""
     folder = tmp_path / "disk"
     folder.mkdir()
-    mount = ["mount", "-t", "tmpfs", "-o", "size=150k", "tmpfs", str(folder)]
+    mount = ["mount", "-t", "tmpfs", "-o", "size=236k", "tmpfs", str(folder)]
     if subprocess.run(mount, capture_output=True).returncode != 0:
         pytest.skip("only root can mount a small disk")
     yield folder
@@ -220,7 +220,7 @@ def small_disk(tmp_path):
 
 
 def test_a_full_disk(small_disk):
-    """There is room for the tables and for one checkpoint of 88 kB. That the
+    """There is room for the tables and for one checkpoint of 124 kB. That the
     next cannot be written is said, and the run goes on; in the end the pictures
     cannot, which ends it. Nothing is half written, and what is there is good."""
     run = fresh(small_disk, 1, ["Output/Every=0", "Time/End=0.2"])

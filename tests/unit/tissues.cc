@@ -4,7 +4,7 @@
 // alone.
 #include <lumbricus/anatomy/muscle.h>
 #include <lumbricus/anatomy/tissue.h>
-#include <lumbricus/discretization/cell_fields.h>
+#include <lumbricus/output/output_parts.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/patterns.h>
@@ -382,13 +382,12 @@ end
   Kd -= expected;
   EXPECT_LT(Kd.l2_norm(), 1e-7 * expected.l2_norm());
 
-  const CellFields fields(model.space,
-                          model.shapes,
-                          body.parameters.anatomy,
-                          model.references);
-  EXPECT_EQ(std::count(fields.names().begin(),
-                       fields.names().end(),
-                       "active_stress_pull"),
+  const auto &arrays = body.parameters.output_parts.field_arrays();
+  EXPECT_EQ(std::count_if(arrays.begin(),
+                          arrays.end(),
+                          [](const FieldArray &array) {
+                            return array.name == "active_stress_pull";
+                          }),
             1);
 
   // Its length l at rest is where 0 = a (l^2 - 1/l) + T s(l) l.

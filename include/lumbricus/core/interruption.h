@@ -17,12 +17,19 @@ namespace lumbricus
    */
   DeclException1(ExcInterrupted, std::string, << arg1);
 
+  /** Note which of these signals are ignored now, as when the program was
+   * started with nohup. Without a call that is what they are when
+   * watch_for_interruption() is called first. */
+  void
+  note_ignored_signals();
+
   /**
    * Take note of these signals from now on instead of ending; a second one
    * ends the process, unless it comes within a second of the first: terminals,
-   * batch systems and mpirun send several at once. Those that were ignored when
-   * this was called first (nohup) still are. To be called first of all, and
-   * again when libraries have been started, which may install what they like.
+   * batch systems and mpirun send several at once. Those that
+   * note_ignored_signals() has found are ignored. To be called first of all,
+   * and again when libraries have been started, which may install what they
+   * like.
    */
   void
   watch_for_interruption();
