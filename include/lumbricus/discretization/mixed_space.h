@@ -41,10 +41,13 @@ namespace lumbricus
   class MixedSpace
   {
   public:
-    static constexpr unsigned int degree           = 2; ///< of displacements
-    static constexpr unsigned int n_nodes          = cell_sizes::n_nodes;
+    static constexpr unsigned int degree = 2; ///< of displacements
+    /** Of displacements on a cell. */
+    static constexpr unsigned int n_nodes = cell_sizes::n_nodes;
+    /** Of the pressure on a cell. */
     static constexpr unsigned int n_pressure_modes = cell_sizes::n_modes;
-    static constexpr unsigned int n_q_points       = cell_sizes::n_q;
+    /** On a cell. */
+    static constexpr unsigned int n_q_points = cell_sizes::n_q;
 
     /** On @p triangulation, which is kept by reference and may be coarse or
      * empty still. Numbers nothing: see distribute_dofs(). */
