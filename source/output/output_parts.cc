@@ -10,14 +10,14 @@ namespace lumbricus
 {
   namespace
   {
+    // Make those that are not there yet.
     template <class Part>
-    std::map<std::string, std::unique_ptr<Part>>
-    one_of_each()
+    void
+    make_all(std::map<std::string, std::unique_ptr<Part>> &all)
     {
-      std::map<std::string, std::unique_ptr<Part>> all;
-      for (const auto &entry : Registry<Part>::entries())
-        all[entry.first] = entry.second.create();
-      return all;
+      for (const auto &[name, entry] : Registry<Part>::entries())
+        if (all.count(name) == 0)
+          all[name] = entry.create();
     }
 
 
@@ -36,9 +36,7 @@ namespace lumbricus
 
 
   OutputParts::OutputParts()
-    : all_tables(one_of_each<Table>())
-    , all_fields(one_of_each<Field>())
-    , format_choice("Format", "vtu", "How pictures are written.")
+    : format_choice("Format", "vtu", "How pictures are written.")
   {}
 
 
@@ -46,6 +44,9 @@ namespace lumbricus
   void
   OutputParts::declare_parameters(dealii::ParameterHandler &prm)
   {
+    // Not before: libraries of the user's may have been loaded since.
+    make_all(all_tables);
+    make_all(all_fields);
     for (const auto &[name, table] : all_tables)
       {
         AssertThrow(can_be_a_file(name),
