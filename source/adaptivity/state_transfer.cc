@@ -126,12 +126,9 @@ namespace lumbricus
               const std::vector<Values> &values,
               State                     &state)
     {
-      const double        time = state.time;
-      std::vector<double> past;
-      for (const State::Past &earlier : state.past)
-        past.push_back(earlier.time);
-      state      = space.initial_state(past);
-      state.time = time;
+      const double time = state.time;
+      state             = space.initial_state(state.past_times());
+      state.time        = time;
       CellStateWriter writer(space, state);
       for (const auto &cell : space.dof_handler.active_cell_iterators() |
                                 dealii::IteratorFilters::LocallyOwnedCell())

@@ -19,70 +19,27 @@ namespace lumbricus
 
 
 
-  Field::Kind
-  ScalarField::kind() const
+  void
+  Field::store(const double value, double *values)
   {
-    return Kind::scalar;
+    *values = value;
   }
 
 
 
   void
-  ScalarField::get(const FieldPoint &point, double *values) const
+  Field::store(const dealii::Tensor<1, dim> &value, double *values)
   {
-    *values = value(point);
-  }
-
-
-
-  Field::Kind
-  VectorField::kind() const
-  {
-    return Kind::vector;
-  }
-
-
-
-  void
-  VectorField::get(const FieldPoint &point, double *values) const
-  {
-    const dealii::Tensor<1, dim> v = value(point);
     for (unsigned int i = 0; i < dim; ++i)
-      *values++ = v[i];
-  }
-
-
-
-  Field::Kind
-  TensorField::kind() const
-  {
-    return Kind::tensor;
+      *values++ = value[i];
   }
 
 
 
   void
-  TensorField::get(const FieldPoint &point, double *values) const
+  Field::store(const dealii::Tensor<2, dim> &value, double *values)
   {
-    const dealii::Tensor<2, dim> v = value(point);
     for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        *values++ = v[i][j];
-  }
-
-
-
-  Field::Kind
-  CellField::kind() const
-  {
-    return Kind::scalar_per_cell;
-  }
-
-
-
-  void
-  CellField::get(const FieldPoint &point, double *values) const
-  {
-    *values = value(point);
+      store(value[i], values + i * dim);
   }
 } // namespace lumbricus

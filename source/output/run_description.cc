@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/build_version.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/number_in_text.h>
 #include <lumbricus/core/patterns.h>
-#include <lumbricus/core/program_version.h>
 #include <lumbricus/output/run_description.h>
 
 #include <deal.II/base/patterns.h>
@@ -194,13 +194,12 @@ namespace lumbricus
   RunDescription::describe_run(const std::string &its_title,
                                const unsigned int n_ranks)
   {
-    title                        = its_title;
-    const ProgramVersion version = program_version();
-    program                      = JsonValue::object()
+    title   = its_title;
+    program = JsonValue::object()
                 .add("name", "lumbricus")
-                .add("version", version.program)
-                .add("deal_ii", version.deal_ii)
-                .add("build_type", version.build_type)
+                .add("version", LUMBRICUS_VERSION)
+                .add("deal_ii", DEAL_II_PACKAGE_VERSION)
+                .add("build_type", LUMBRICUS_BUILD_TYPE)
                 .add("ranks", n_ranks);
   }
 

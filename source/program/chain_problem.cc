@@ -272,8 +272,7 @@ namespace lumbricus
     progress.elapsed_seconds = step.elapsed_seconds;
     for (const auto &history : state.histories)
       progress.histories.insert(history.first);
-    for (const State::Past &earlier : state.past)
-      progress.past.push_back(earlier.time);
+    progress.past = state.past_times();
     results->note(progress);
     return progress;
   }

@@ -24,9 +24,8 @@ namespace lumbricus
       Backup(const ChainModel &model, const State &state)
         : refined(refined_cells(model.triangulation))
         , time(state.time)
+        , past(state.past_times())
       {
-        for (const State::Past &earlier : state.past)
-          past.push_back(earlier.time);
         std::ostringstream out;
         write_cells(model.space, state, out);
         cells = out.str();
@@ -58,9 +57,9 @@ namespace lumbricus
       const std::set<CellKey> refined;
 
     private:
-      const double        time;
-      std::vector<double> past;
-      std::string         cells;
+      const double              time;
+      const std::vector<double> past;
+      std::string               cells;
     };
 
 

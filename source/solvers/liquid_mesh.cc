@@ -51,11 +51,10 @@ namespace lumbricus
                    const ShapeCache        &shapes,
                    const Anatomy           &anatomy,
                    const std::vector<bool> &in_segment,
-                   const State             &state)
+                   CellStateReader         &reader)
     {
       const unsigned int  n_segments = in_segment.size();
       std::vector<double> sums(2 * n_segments, 0.);
-      CellStateReader     reader(space, state);
       const unsigned int  u_vol = reader.layout.begin_of(volume_displacement);
       std::vector<double> values;
       ElementKernel       kernel;
@@ -103,10 +102,10 @@ namespace lumbricus
                   const std::vector<bool>   &in_segment,
                   const CellVector          &correction,
                   const std::vector<double> &pressures,
+                  CellStateReader           &reader,
                   const State               &state)
     {
       State               relaxed = state;
-      CellStateReader     reader(space, state);
       CellStateWriter     writer(space, relaxed);
       std::vector<double> values, of_cell(CellUnknowns::n_per_cell);
       const double        constant_mode =
@@ -184,8 +183,9 @@ namespace lumbricus
 
     const CellVector correction = harmonic_correction(
       space, shapes, anatomy, unknowns, before, relaxation.in_segment);
-    const auto pressures = mean_pressures(
-      space, shapes, anatomy, relaxation.in_segment, state);
+    CellStateReader reader(space, state);
+    const auto      pressures = mean_pressures(
+      space, shapes, anatomy, relaxation.in_segment, reader);
     const auto relax_them = [&]() {
       return relaxed_state(space,
                            anatomy,
@@ -193,6 +193,7 @@ namespace lumbricus
                            relaxation.in_segment,
                            correction,
                            pressures,
+                           reader,
                            state);
     };
     State        relaxed = relax_them();

@@ -7,6 +7,7 @@
 #include <deque>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace lumbricus
 {
@@ -38,6 +39,16 @@ namespace lumbricus
      * extrapolates: as many as it needs, none where the load does not go on as
      * it did. */
     std::deque<Past> past;
+
+    /** When the solutions of the past were those of the run. */
+    std::vector<double>
+    past_times() const
+    {
+      std::vector<double> times;
+      for (const Past &earlier : past)
+        times.push_back(earlier.time);
+      return times;
+    }
 
     /** After entries have been set. Collective. */
     void

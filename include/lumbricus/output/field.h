@@ -64,75 +64,56 @@ namespace lumbricus
     {
       return std::numeric_limits<unsigned int>::max();
     }
+
+  protected:
+    /** Write the numbers that @p value consists of to @p values. */
+    static void
+    store(const double value, double *values);
+    /** The same. */
+    static void
+    store(const dealii::Tensor<1, dim> &value, double *values);
+    /** The same, row by row. */
+    static void
+    store(const dealii::Tensor<2, dim> &value, double *values);
+  };
+
+
+
+  /** A field whose value is a @p Value; @p its_kind says how it is written. */
+  template <typename Value, Field::Kind its_kind>
+  class FieldOf : public Field
+  {
+  public:
+    Kind
+    kind() const final
+    {
+      return its_kind;
+    }
+
+    void
+    get(const FieldPoint &point, double *values) const final
+    {
+      store(value(point), values);
+    }
+
+    /** The value at @p point. */
+    virtual Value
+    value(const FieldPoint &point) const = 0;
   };
 
 
 
   /** A field of numbers, interpolated within a cell. */
-  class ScalarField : public Field
-  {
-  public:
-    Kind
-    kind() const final;
-
-    void
-    get(const FieldPoint &point, double *values) const final;
-
-    /** The value at @p point. */
-    virtual double
-    value(const FieldPoint &point) const = 0;
-  };
-
-
+  using ScalarField = FieldOf<double, Field::Kind::scalar>;
 
   /** A field of vectors, interpolated within a cell. */
-  class VectorField : public Field
-  {
-  public:
-    Kind
-    kind() const final;
-
-    void
-    get(const FieldPoint &point, double *values) const final;
-
-    /** The value at @p point. */
-    virtual dealii::Tensor<1, dim>
-    value(const FieldPoint &point) const = 0;
-  };
-
-
+  using VectorField = FieldOf<dealii::Tensor<1, dim>, Field::Kind::vector>;
 
   /** A field of tensors, interpolated within a cell. */
-  class TensorField : public Field
-  {
-  public:
-    Kind
-    kind() const final;
+  using TensorField = FieldOf<dealii::Tensor<2, dim>, Field::Kind::tensor>;
 
-    void
-    get(const FieldPoint &point, double *values) const final;
-
-    /** The value at @p point. */
-    virtual dealii::Tensor<2, dim>
-    value(const FieldPoint &point) const = 0;
-  };
-
-
-
-  /** A number for every cell. */
-  class CellField : public Field
-  {
-  public:
-    Kind
-    kind() const final;
-
-    void
-    get(const FieldPoint &point, double *values) const final;
-
-    /** The value on the cell that @p point, the last of it, is in. */
-    virtual double
-    value(const FieldPoint &point) const = 0;
-  };
+  /** A number for every cell: the value at the last point of it. */
+  using CellField = FieldOf<double, Field::Kind::scalar_per_cell>;
 } // namespace lumbricus
 
 #endif

@@ -53,8 +53,9 @@ namespace lumbricus
     std::vector<dealii::Point<dim>>
     points() const;
 
-    std::string               list;
-    std::vector<NearestPoint> places;
+    std::string                     list;
+    std::vector<dealii::Point<dim>> asked_for; ///< in list
+    std::vector<NearestPoint>       places;    ///< of these
   };
 
 
@@ -138,8 +139,9 @@ namespace lumbricus
   void
   PointsTable::reinit(const MixedSpace &space)
   {
+    asked_for = points();
     places.clear();
-    for (const auto &point : points())
+    for (const auto &point : asked_for)
       places.push_back(
         nearest_point(point, space.triangulation, space.mapping));
   }
@@ -181,7 +183,6 @@ namespace lumbricus
       }
     dealii::Utilities::MPI::sum(values, context.space.communicator(), values);
 
-    const auto asked_for = points();
     for (unsigned int k = 0; k < places.size(); ++k)
       {
         rows << context.state.time << k + 1;
