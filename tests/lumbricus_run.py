@@ -8,9 +8,17 @@ import contextlib
 import csv
 import os
 import pathlib
+import re
 import subprocess
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
+
+
+def without_words_of_mpirun(text):
+    """What is left without the paragraphs between lines of dashes that mpirun
+    adds where processes fail, before or after or amid what they said."""
+    return re.sub("^-{60,}\n.*?^-{60,}(\n|$)", "", text,
+                  flags=re.MULTILINE | re.DOTALL)
 
 
 class Run:
@@ -21,6 +29,10 @@ class Run:
         self.log = process.stdout
         self.message = process.stderr
         self.folder = pathlib.Path(folder)
+
+    def said(self):
+        """The program's words on standard error, in one line."""
+        return " ".join(without_words_of_mpirun(self.message).split())
 
     def table(self, name):
         """All rows of a .csv file as dictionaries of numbers."""

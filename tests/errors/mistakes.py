@@ -89,9 +89,8 @@ def check_one_message(result, words):
     assert result.exit_code == 1, everything
     for frame in JARGON:
         assert frame not in everything, everything
-    # mpirun adds its own lines on processes that fail.
-    message = " ".join(result.message.split("\n---")[0].split())
-    assert message.startswith("lumbricus: ")
+    message = result.said()
+    assert message.startswith("lumbricus: "), everything
     for part in words:
         assert part in message, message
     assert everything.count("lumbricus: ") == 1, everything

@@ -154,7 +154,7 @@ def test_last_good_state_is_left(i, results):
     for frame in ("An error occurred", "Stacktrace", "Exception",
                   "TimerOutput", "violated", "bug"):
         assert frame not in everything, everything
-    message = " ".join(result.message.split())
+    message = result.said()
     for word in words:
         assert word in message, message
     assert f"The last good state, at time {last_good:g}, is in " \

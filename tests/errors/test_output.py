@@ -7,6 +7,7 @@ import signal
 import subprocess
 
 import pytest
+from lumbricus_run import Run
 from mistakes import ManyRuns
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -39,11 +40,24 @@ def test_folders_of_the_names_of_files(name, ranks, tmp_path):
     (tmp_path / name).mkdir(parents=True)
     result = run(BLOCK, tmp_path, ["Output/Points=0, 0, 0"], ranks)
     assert result.exit_code == 1, result.log + result.message
-    message = " ".join(result.message.split("\n---")[0].split())
-    assert message == (
+    assert result.said() == (
         f"lumbricus: The file '{tmp_path}/{name}' is not as a run of lumbricus "
         "has left it, and would be overwritten. Move it away, or choose "
         "another folder with 'Output/Folder' or --output.")
+
+
+# On a loaded machine mpirun's own lines came before those of the ranks, and the
+# message was not found among them.
+@pytest.mark.parametrize("order", [(0, 1, 2), (1, 0, 2), (1, 2, 0)])
+def test_words_of_mpirun_are_told_apart(order):
+    line = "-" * 74 + "\n"
+    parts = ["\nlumbricus: The file is -----\n--- not there.\n",
+             line + "Primary job  terminated normally, but 1 process\n" + line,
+             line + "mpirun detected that\n\n  Exit code: 1\n" + line]
+    process = subprocess.CompletedProcess(
+        [], 1, "", "".join(parts[i] for i in order))
+    assert Run(process, ".").said() == \
+        "lumbricus: The file is ----- --- not there."
 
 
 @pytest.mark.parametrize("most, file", [

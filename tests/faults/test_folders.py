@@ -52,10 +52,6 @@ def tree(folder):
             if path.is_symlink() or path.is_file()}
 
 
-def said(result):
-    return " ".join(result.message.split("\n---")[0].split())
-
-
 def wait_for(condition, process, timeout=60):
     end = time.time() + timeout
     while not condition():
@@ -167,8 +163,8 @@ def test_files_of_the_user_are_not_overwritten(name, ranks, tmp_path):
     before = tree(tmp_path)
     result = block(folder, ["Output/Points=0, 0, 0"], ranks)
     assert result.exit_code == 1, result.log
-    assert f"'{folder}/{name}' " in said(result)
-    assert "--output" in said(result)
+    assert f"'{folder}/{name}' " in result.said()
+    assert "--output" in result.said()
     assert tree(tmp_path) == before
 
 
@@ -199,8 +195,8 @@ def test_parameters_that_were_changed_by_hand(tmp_path):
                    restart(tmp_path, ["Time/End=2"])):
         assert result.exit_code == 1
         assert f"'{path}' is not as a run of lumbricus has left it" in \
-            said(result)
-        assert "--set changes them" in said(result)
+            result.said()
+        assert "--set changes them" in result.said()
         assert tree(tmp_path) == before
 
 
@@ -230,7 +226,7 @@ def test_killed_before_its_first_checkpoint(tmp_path, ranks):
     before = tree(folder)
     result = restart(folder)
     assert result.exit_code == 1
-    assert "has no checkpoint to go on from" in said(result)
+    assert "has no checkpoint to go on from" in result.said()
     assert tree(folder) == before
 
     # Nor with checkpoints of the other run that somebody brings back.
@@ -239,7 +235,7 @@ def test_killed_before_its_first_checkpoint(tmp_path, ranks):
         record.write("checkpoint 000001\ncheckpoint 000002\n")
     result = restart(folder)
     assert result.exit_code == 1
-    assert "of another run" in said(result)
+    assert "of another run" in result.said()
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
@@ -255,7 +251,7 @@ def test_two_at_once(tmp_path, ranks):
         assert result.exit_code == 1
         assert f"'{tmp_path}' is in use: process {lock['process']} on " \
             f"'{lock['host']}', since {lock['since']}, writes there." in \
-            said(result)
+            result.said()
     assert process.poll() is None
     process.send_signal(signal.SIGUSR1)
     process.communicate(timeout=60)
@@ -323,7 +319,7 @@ def test_a_record_that_was_made_up(tmp_path):
         before = tree(tmp_path)
         result = restart(folder) if ".." in line else block(folder)
         assert result.exit_code == 1
-        assert "lumbricus.run' has the line" in said(result)
+        assert "lumbricus.run' has the line" in result.said()
         assert tree(tmp_path) == before
     # The last line was not written whole when the run was killed.
     (folder / "lumbricus.run").write_text(f"{record}file vtu/sol")
@@ -341,7 +337,7 @@ def test_an_end_that_is_past(tmp_path):
     result = restart(tmp_path, ["Time/End=0.5"])
     assert result.exit_code == 1
     assert "'Time/End' is 0.5, but the run that is to go on has come to time " \
-        "1 already. Give a later end" in said(result)
+        "1 already. Give a later end" in result.said()
     assert tree(tmp_path) == before
 
 

@@ -312,7 +312,7 @@ def test_of_two_lies_none_is_taken(world, tmp_path):
     sign(folder / "checkpoints" / OLDER)
     run = check(base, rows, folder, "both")
     assert run.exit_code == 1
-    assert "has no checkpoint to go on from" in " ".join(run.message.split())
+    assert "has no checkpoint to go on from" in run.said()
 
 
 NASTY = [b"nan", b"-1", b"1e999", b"99999999999999999999", b"4294967295",

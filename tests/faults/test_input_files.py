@@ -105,10 +105,6 @@ def restart(cwd, folder, settings=("Time/End=1",)):
     return Run(many.call(*arguments, folder=cwd), pathlib.Path(cwd, folder))
 
 
-def said(result):
-    return " ".join(result.message.split("\n---")[0].split())
-
-
 @pytest.mark.parametrize("name, content, parameter", [
     ("meshes/body.msh", mesh(2, 3), "Geometry/mesh file/File"),
     ("meshes/body.msh", mesh(3, 1), "Geometry/mesh file/File"),
@@ -123,14 +119,14 @@ def test_a_file_that_has_changed(study, tmp_path, name, content, parameter):
         assert result.exit_code == 1, result.log
         assert f"The file '{name}' (parameter '{parameter}') is not the one " \
             "that the checkpoint was made with: it has changed since. Bring " \
-            "it back" in said(result)
+            "it back" in result.said()
         assert (folder / "run/segments.csv").read_text() == before
         (folder / name).unlink()
         result = restart(folder, "run")
         assert result.exit_code == 1
-        assert f"'{name}'" in said(result)
+        assert f"'{name}'" in result.said()
         assert f"is not there any more, neither from the working directory " \
-            f"nor at '{study[0]}/{name}'" in said(result)
+            f"nor at '{study[0]}/{name}'" in result.said()
     finally:
         shutil.move(study[0].parent / "away", study[0])
 
@@ -198,7 +194,7 @@ def test_other_fibres_that_are_asked_for(study, tmp_path):
     (folder / "other.csv").write_text(fibres("1, 1, 0"))
     result = restart(folder, "run", ["Time/End=2"])
     assert result.exit_code == 1
-    assert "'other.csv' (parameter 'Muscles/biceps/file/File')" in said(result)
+    assert "'other.csv' (parameter 'Muscles/biceps/file/File')" in result.said()
 
 
 def test_a_mesh_out_of_a_pipe(study, tmp_path):

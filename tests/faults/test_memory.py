@@ -82,7 +82,7 @@ def test_memory_that_ends_is_said(tmp_path, limits, ranks, part):
                             least + part * (most - least)), tmp_path)
     everything = result.log + result.message
     assert result.exit_code == 2, everything
-    message = " ".join(result.message.split())
+    message = result.said()
     assert "lumbricus: Out of memory" in message, everything
     assert "'Mesh/Global refinements'" in message
     assert "bug" not in message

@@ -171,7 +171,7 @@ def test_a_checkpoint_with_what_is_not_known_yet(ranks, tmp_path, three_steps):
     rewrite(folder, "progress", lambda text: text + b"temperature 300\n")
     run = restart(folder, ranks, ["Time/End=0.4"])
     assert run.exit_code == 1, run.message
-    message = " ".join(run.message.split())
+    message = run.said()
     assert "000003' cannot be used: it is of version 99.9 and has " \
         "'temperature'" in message
     assert "Go on with that version" in message
@@ -185,7 +185,7 @@ def test_a_checkpoint_of_another_mesh(tmp_path, three_steps):
         b"set Number of segments ", b"set Cap thickness = 0.3 # "))
     run = restart(folder, 2, ["Time/End=0.4"])
     assert run.exit_code == 1, run.message
-    message = " ".join(run.message.split())
+    message = run.said()
     assert "000003' is of " in message and "but the mesh of its parameters " \
         "has " in message
     assert "start the run from its parameter file" in message
@@ -202,7 +202,7 @@ def test_a_table_that_is_gone(tmp_path):
     (tmp_path / "segments.csv").unlink()
     run = restart(tmp_path, 1, ["Time/End=0.2"])
     assert run.exit_code == 1
-    message = " ".join(run.message.split())
+    message = run.said()
     assert f"'{tmp_path}/segments.csv' is shorter than it was at the " \
         "checkpoint (No such file or directory). Bring it back" in message
 

@@ -92,7 +92,7 @@ def test_a_jump_that_leads_nowhere(tmp_path, ranks):
         f"{section}/Type=displacement", f"{section}/displacement/Components=x",
         f"{section}/displacement/Displacement=t < 0.25 ? 0 : -2.1; 0; 0"], ranks)
     assert result.exit_code == 2, result.log + result.message
-    message = " ".join(result.message.split())
+    message = result.said()
     for words in ("No solution beyond time 0.25: the displacement of "
                   f"'{section}' along x jumps between the times 0.249999999 and "
                   "0.25, from 0 to -2.1. Of this change", "can be applied, in "

@@ -98,7 +98,7 @@ def test_the_nearest_point_is_on_the_skin_and_that_far_away(case, tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_points_further_outside_are_refused(case, ranks, tmp_path):
     result = run(case, tmp_path / "out", ["Output/Points=1.5, 0, 2.6"], ranks)
-    message = " ".join(result.message.split())
+    message = result.said()
     assert result.exit_code == 1
     assert "the point (1.5, 0, 2.6) is not in the body" in message
     assert re.search(r"nearest point of the mesh at rest is \(1.5, \S+, 2.3\), "

@@ -82,7 +82,7 @@ def test_is_refused(tmp_path, name, ranks):
     settings, words = REFUSED[name]
     result = run(HERE / "bar.prm", tmp_path / "out", BAR + settings, ranks)
     assert result.exit_code == 1, result.log + result.message
-    message = " ".join(result.message.split())
+    message = result.said()
     for word in ["lumbricus: The loads are not in balance.", *words]:
         assert word in message, message
     assert not [p for p in result.folder.glob("**/*") if p.is_file()]
