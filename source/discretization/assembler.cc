@@ -34,10 +34,7 @@ namespace lumbricus
     , unknowns(space)
     , linearisation(space, shapes, unknowns)
     , kernel(std::make_unique<ElementKernel>())
-    , face_values(space.mapping,
-                  space.fe,
-                  space.face_quadrature,
-                  SurfaceNodes::update_flags())
+    , surface(space)
   {}
 
 
@@ -199,13 +196,12 @@ namespace lumbricus
     double                                              *residual)
   {
     const auto add = [&](const BoundaryCondition & /*condition*/,
-                         const SurfaceNodes    &nodes,
                          const SurfaceResponse &response) {
-      const double w = nodes.JxW;
+      const double w = surface.JxW;
       for (unsigned int n = 0; n < n_nodes; ++n)
         for (unsigned int c = 0; c < dim; ++c)
           residual[CellUnknowns::displacement(c, n)] -=
-            w * nodes.values[n] * response.T[c];
+            w * surface.values[n] * response.T[c];
       if (!with_tangent || !response.depends_on_shape())
         return;
       auto &matrix = linearisation.surface_matrix(i);
@@ -213,15 +209,15 @@ namespace lumbricus
         for (unsigned int k = 0; k < dim; ++k)
           for (unsigned int m = 0; m < n_nodes; ++m)
             {
-              const double dT = response.dT_du[c][k] * nodes.values[m] +
-                                response.dT_dF[c][k] * nodes.gradients[m];
+              const double dT = response.dT_du[c][k] * surface.values[m] +
+                                response.dT_dF[c][k] * surface.gradients[m];
               for (unsigned int n = 0; n < n_nodes; ++n)
                 matrix[CellUnknowns::displacement(c, n) * n_per_cell +
                        CellUnknowns::displacement(k, m)] -=
-                  w * nodes.values[n] * dT;
+                  w * surface.values[n] * dT;
             }
     };
-    for_each_traction(space, conditions, cell, kernel->u, t, face_values, add);
+    for_each_traction(conditions, cell, kernel->u, t, surface, add);
   }
 
 
@@ -235,38 +231,25 @@ namespace lumbricus
       {
         if (!supports.is_sliding_face(cell, f))
           continue;
-        face_values.reinit(mesh_cell(cell), f);
+        surface.reinit(cell, f);
         auto &matrix = linearisation.surface_matrix(i);
-        for (const unsigned int q : face_values.quadrature_point_indices())
+        for (unsigned int q = 0; q < surface.n_points(); ++q)
           {
-            dealii::Tensor<2, dim> F =
-              dealii::unit_symmetric_tensor<dim, double>();
-            dealii::Tensor<1, dim> gradients[n_nodes];
-            double                 p = 0.;
-            for (unsigned int n = 0; n < n_nodes; ++n)
-              {
-                gradients[n] =
-                  face_values.shape_grad(space.displacement_dof[0][n], q);
-                for (unsigned int c = 0; c < dim; ++c)
-                  F[c] += kernel->u[c][n] * gradients[n];
-              }
-            for (unsigned int m = 0; m < MixedSpace::n_pressure_modes; ++m)
-              p +=
-                kernel->p[m] * face_values.shape_value(space.pressure_dof[m], q);
+            surface.set(q, kernel->u);
+            const double p = surface.pressure(kernel->p);
 
             // d(cof(F) N)_c / dF_kL = a_c F^(-1)_Lk - a_k F^(-1)_Lc with
             // a = cof(F) N.
-            const auto             cofactor = dealii::cofactor(F);
-            const auto             a = cofactor * face_values.normal_vector(q);
-            const double           J = dealii::determinant(F);
+            const auto             cofactor = dealii::cofactor(surface.F);
+            const auto             a        = cofactor * surface.N;
+            const double           J        = dealii::determinant(surface.F);
             dealii::Tensor<1, dim> spatial[n_nodes]; // F^(-T) Grad N
             for (unsigned int n = 0; n < n_nodes; ++n)
-              spatial[n] = cofactor * gradients[n] / J;
-            const double half = 0.5 * p * face_values.JxW(q);
+              spatial[n] = cofactor * surface.gradients[n] / J;
+            const double half = 0.5 * p * surface.JxW;
             for (unsigned int n = 0; n < n_nodes; ++n)
               {
-                const double N_n =
-                  face_values.shape_value(space.displacement_dof[0][n], q);
+                const double N_n = surface.values[n];
                 if (N_n == 0.)
                   continue;
                 for (unsigned int m = 0; m < n_nodes; ++m)

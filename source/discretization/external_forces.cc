@@ -119,10 +119,7 @@ namespace lumbricus
     dealii::Vector<double> of_cell(n_dofs);
     std::vector<dealii::types::global_dof_index> indices(n_dofs);
     ElementKernel                                kernel;
-    dealii::FEFaceValues<dim>                    face_values(space.mapping,
-                                          space.fe,
-                                          space.face_quadrature,
-                                          SurfaceNodes::update_flags());
+    SurfaceKernel                                surface(space);
     unsigned int cell_index = 0;
     for (const auto &cell : space.dof_handler.active_cell_iterators() |
                               dealii::IteratorFilters::LocallyOwnedCell())
@@ -151,22 +148,22 @@ namespace lumbricus
               for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
                 of_cell(space.displacement_dof[c][n]) = kernel.force[c][n];
           }
-        for_each_traction(space,
-                          conditions,
+        for_each_traction(conditions,
                           cell,
                           kernel.u,
                           t,
-                          face_values,
+                          surface,
                           [&](const BoundaryCondition &condition,
-                              const SurfaceNodes      &nodes,
                               const SurfaceResponse   &response) {
-                            const auto f = nodes.JxW * response.T;
-                            all[number.at(&condition)].add(nodes.x, f);
+                            const auto f = surface.JxW * response.T;
+                            all[number.at(&condition)].add(surface.X +
+                                                             surface.u,
+                                                           f);
                             for (unsigned int c = 0; c < dim; ++c)
                               for (unsigned int n = 0; n < MixedSpace::n_nodes;
                                    ++n)
                                 of_cell(space.displacement_dof[c][n]) -=
-                                  nodes.values[n] * f[c];
+                                  surface.values[n] * f[c];
                           });
         if (supported)
           links.distribute_local_to_global(of_cell, indices, nodal);

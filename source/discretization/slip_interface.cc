@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/local_constraints.h>
-#include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/discretization/slip_interface.h>
+#include <lumbricus/discretization/surface_kernel.h>
 
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
@@ -239,43 +238,31 @@ namespace lumbricus
     for (Vector &component : sum)
       component.reinit(space.locally_owned, space.communicator());
 
-    const unsigned int        n_dofs = space.fe.n_dofs_per_cell();
-    dealii::Vector<double>    cell_sum(n_dofs);
-    dealii::FEFaceValues<dim> face_values(space.mapping,
-                                          space.fe,
-                                          space.face_quadrature,
-                                          dealii::update_values |
-                                            dealii::update_gradients |
-                                            dealii::update_JxW_values |
-                                            dealii::update_normal_vectors);
+    const unsigned int     n_dofs = space.fe.n_dofs_per_cell();
+    dealii::Vector<double> cell_sum(n_dofs);
+    SurfaceKernel          surface(space);
+    double                 u[dim][ShapeCache::padded_nodes] = {};
     std::vector<dealii::types::global_dof_index> indices(n_dofs);
     for_each_face([&](const auto &cell, const unsigned int f) {
       if (!cell->is_locally_owned())
         return;
-      face_values.reinit(mesh_cell(cell), f);
+      surface.reinit(cell, f);
       cell->get_dof_indices(indices);
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int n = 0; n < n_nodes; ++n)
+          u[c][n] = relevant(indices[space.displacement_dof[c][n]]);
       cell_sum = 0.;
       Tensor<1, dim> N_of_face;
-      for (const unsigned int q : face_values.quadrature_point_indices())
+      for (unsigned int q = 0; q < surface.n_points(); ++q)
         {
-          Tensor<2, dim> F = dealii::unit_symmetric_tensor<dim, double>();
-          for (unsigned int n = 0; n < n_nodes; ++n)
-            for (unsigned int c = 0; c < dim; ++c)
-              {
-                const double u =
-                  relevant(indices[space.displacement_dof[c][n]]);
-                F[c] +=
-                  u * face_values.shape_grad(space.displacement_dof[0][n], q);
-              }
-          const Tensor<1, dim> N_dA =
-            face_values.normal_vector(q) * face_values.JxW(q);
-          const Tensor<1, dim> n_da = dealii::cofactor(F) * N_dA;
+          surface.set(q, u);
+          const Tensor<1, dim> N_dA = surface.N * surface.JxW;
+          const Tensor<1, dim> n_da = dealii::cofactor(surface.F) * N_dA;
           N_of_face += N_dA;
           for (unsigned int n = 0; n < n_nodes; ++n)
             for (unsigned int c = 0; c < dim; ++c)
               cell_sum(space.displacement_dof[c][n]) +=
-                face_values.shape_value(space.displacement_dof[0][n], q) *
-                n_da[c];
+                surface.values[n] * n_da[c];
         }
       hanging_nodes.distribute_local_to_global(
         cell_sum, indices, sum[largest_component(N_of_face)]);

@@ -7,10 +7,9 @@
 #include <lumbricus/discretization/reference_field.h>
 #include <lumbricus/discretization/rounding_level.h>
 #include <lumbricus/discretization/supports.h>
+#include <lumbricus/discretization/surface_kernel.h>
 #include <lumbricus/discretization/tangent.h>
 #include <lumbricus/loads/boundary_conditions.h>
-
-#include <deal.II/fe/fe_values.h>
 
 #include <memory>
 
@@ -21,7 +20,7 @@ namespace lumbricus
    *
    *   r_u = int P : Grad du dV - int T . du dA,    r_p = int c dp dV,
    *
-   * and its exact linearisation. It sees F, p, the reference map and a law;
+   * and its exact linearisation. It sees F, p, material points and a tissue;
    * whether a cell is muscle or liquid it never asks.
    */
   class Assembler
@@ -140,7 +139,7 @@ namespace lumbricus
     RoundingLevel rounding;
 
     std::unique_ptr<ElementKernel> kernel;
-    dealii::FEFaceValues<dim>      face_values;
+    SurfaceKernel                  surface;
   };
 } // namespace lumbricus
 
