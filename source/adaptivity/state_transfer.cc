@@ -126,9 +126,7 @@ namespace lumbricus
               const std::vector<Values> &values,
               State                     &state)
     {
-      const double time = state.time;
-      state             = space.initial_state(state.past_times());
-      state.time        = time;
+      state = space.zero_state(state.outline());
       CellStateWriter writer(space, state);
       for (const auto &cell : space.dof_handler.active_cell_iterators() |
                                 dealii::IteratorFilters::LocallyOwnedCell())

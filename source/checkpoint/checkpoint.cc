@@ -419,11 +419,35 @@ namespace lumbricus
 
 
 
-  State
-  Checkpoint::read_state(const MixedSpace &space) const
+  void
+  Checkpoint::check_histories(const std::set<std::string> &wanted) const
   {
-    State state = space.initial_state(run_progress.past);
-    state.time  = run_progress.time;
+    const std::string advice =
+      " At a restart a boundary condition that remembers cannot be added, "
+      "removed or renamed: start the run from its parameter file.";
+    for (const std::string &name : wanted)
+      AssertThrow(run_progress.histories.count(name) > 0,
+                  ExcInput("The checkpoint '" + folder_path +
+                           "' does not have the history '" + name +
+                           "', which this run needs." + advice));
+    for (const std::string &name : run_progress.histories)
+      AssertThrow(wanted.count(name) > 0,
+                  ExcInput("The checkpoint '" + folder_path +
+                           "' has the history '" + name +
+                           "', which this run does not have." + advice));
+  }
+
+
+
+  State
+  Checkpoint::read_state(const MixedSpace            &space,
+                         const std::set<std::string> &histories) const
+  {
+    check_histories(histories);
+    State state = space.zero_state({run_progress.time,
+                                    run_progress.time,
+                                    run_progress.past,
+                                    run_progress.histories});
 
     // Ranks own contiguous parts of the space-filling curve, then and now: read
     // the files that overlap with this rank's part.

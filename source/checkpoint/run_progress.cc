@@ -99,7 +99,7 @@ namespace lumbricus
         if (item == "history")
           {
             const std::string name = lines.get_word();
-            AssertThrow(NodalHistory::names().count(name) > 0,
+            AssertThrow(NodalHistory::is_known(name),
                         ExcUnknownItem("history " + name));
             if (!progress.histories.insert(name).second)
               lines.fail();

@@ -14,6 +14,10 @@ namespace lumbricus
       static std::set<std::string> names;
       return names;
     }
+
+
+
+    const std::string boundary = "boundary:";
   } // namespace
 
 
@@ -57,5 +61,31 @@ namespace lumbricus
   NodalHistory::names()
   {
     return all_names();
+  }
+
+
+
+  std::string
+  NodalHistory::of_boundary(const std::string &condition)
+  {
+    std::string word;
+    for (const char c : condition)
+      if (c == '%')
+        word += "%25";
+      else if (c == ' ')
+        word += "%20";
+      else
+        word += c;
+    return boundary + word;
+  }
+
+
+
+  bool
+  NodalHistory::is_known(const std::string &name)
+  {
+    return all_names().count(name) > 0 ||
+           (name.size() > boundary.size() &&
+            name.compare(0, boundary.size(), boundary) == 0);
   }
 } // namespace lumbricus

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/assembler.h>
 #include <lumbricus/discretization/cell_sizes.h>
-#include <lumbricus/discretization/surface_tractions.h>
 
 #include <deal.II/grid/filtered_iterator.h>
 
@@ -22,13 +21,13 @@ namespace lumbricus
   Assembler::Assembler(const MixedSpace         &space,
                        const ShapeCache         &shapes,
                        const Anatomy            &anatomy,
-                       const BoundaryConditions &conditions,
+                       SurfaceTerms             &terms,
                        const ReferenceField     &references,
                        const Supports           &supports)
     : space(space)
     , shapes(shapes)
     , anatomy(anatomy)
-    , conditions(conditions)
+    , terms(terms)
     , references(references)
     , supports(supports)
     , unknowns(space)
@@ -45,7 +44,7 @@ namespace lumbricus
     unknowns.reinit(supports.constraints());
     linearisation.reinit();
     rounding.reinit(shapes);
-    linearisation.symmetric = conditions.symmetric();
+    linearisation.symmetric = terms.symmetric();
     for (CellVector *x : {&u, &sum, &rhs})
       unknowns.reinit_vector(*x);
   }
@@ -195,13 +194,14 @@ namespace lumbricus
     const bool                                           with_tangent,
     double                                              *residual)
   {
-    const auto add = [&](const BoundaryCondition & /*condition*/,
+    const auto add = [&](const unsigned int /*condition*/,
                          const SurfaceResponse &response) {
-      const double w = surface.JxW;
+      const SurfaceKernel &point = terms.point();
+      const double         w     = point.JxW;
       for (unsigned int n = 0; n < n_nodes; ++n)
         for (unsigned int c = 0; c < dim; ++c)
           residual[CellUnknowns::displacement(c, n)] -=
-            w * surface.values[n] * response.T[c];
+            w * point.values[n] * response.T[c];
       if (!with_tangent || !response.depends_on_shape())
         return;
       auto &matrix = linearisation.surface_matrix(i);
@@ -209,15 +209,15 @@ namespace lumbricus
         for (unsigned int k = 0; k < dim; ++k)
           for (unsigned int m = 0; m < n_nodes; ++m)
             {
-              const double dT = response.dT_du[c][k] * surface.values[m] +
-                                response.dT_dF[c][k] * surface.gradients[m];
+              const double dT = response.dT_du[c][k] * point.values[m] +
+                                response.dT_dF[c][k] * point.gradients[m];
               for (unsigned int n = 0; n < n_nodes; ++n)
                 matrix[CellUnknowns::displacement(c, n) * n_per_cell +
                        CellUnknowns::displacement(k, m)] -=
-                  w * surface.values[n] * dT;
+                  w * point.values[n] * dT;
             }
     };
-    for_each_traction(conditions, cell, kernel->u, t, surface, add);
+    terms.visit(cell, i, kernel->u, t, add);
   }
 
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/external_forces.h>
-#include <lumbricus/discretization/surface_tractions.h>
 
 #include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
-#include <map>
 
 namespace lumbricus
 {
@@ -96,6 +94,7 @@ namespace lumbricus
                   const ShapeCache         &shapes,
                   const Anatomy            &anatomy,
                   const BoundaryConditions &conditions,
+                  SurfaceTerms             &terms,
                   const ReferenceField     &references,
                   const Supports           &supports,
                   const Vector             &solution,
@@ -104,9 +103,6 @@ namespace lumbricus
     auto all = everything_that_acts(anatomy.geometry(), conditions, supports);
     const unsigned int n_conditions = conditions.n_conditions();
     const unsigned int n_planes = anatomy.geometry().symmetry_planes().size();
-    std::map<const BoundaryCondition *, unsigned int> number;
-    for (unsigned int i = 0; i < n_conditions; ++i)
-      number[&*conditions.condition(i).type] = i;
 
     const Vector      relevant = space.with_ghosts(solution);
     const auto        links    = supports.links();
@@ -119,7 +115,6 @@ namespace lumbricus
     dealii::Vector<double> of_cell(n_dofs);
     std::vector<dealii::types::global_dof_index> indices(n_dofs);
     ElementKernel                                kernel;
-    SurfaceKernel                                surface(space);
     unsigned int cell_index = 0;
     for (const auto &cell : space.dof_handler.active_cell_iterators() |
                               dealii::IteratorFilters::LocallyOwnedCell())
@@ -148,23 +143,19 @@ namespace lumbricus
               for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
                 of_cell(space.displacement_dof[c][n]) = kernel.force[c][n];
           }
-        for_each_traction(conditions,
-                          cell,
-                          kernel.u,
-                          t,
-                          surface,
-                          [&](const BoundaryCondition &condition,
-                              const SurfaceResponse   &response) {
-                            const auto f = surface.JxW * response.T;
-                            all[number.at(&condition)].add(surface.X +
-                                                             surface.u,
-                                                           f);
-                            for (unsigned int c = 0; c < dim; ++c)
-                              for (unsigned int n = 0; n < MixedSpace::n_nodes;
-                                   ++n)
-                                of_cell(space.displacement_dof[c][n]) -=
-                                  surface.values[n] * f[c];
-                          });
+        terms.visit(
+          cell,
+          i,
+          kernel.u,
+          t,
+          [&](const unsigned int condition, const SurfaceResponse &response) {
+            const SurfaceKernel &point = terms.point();
+            const auto           f     = point.JxW * response.T;
+            all[condition].add(point.X + point.u, f);
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+                of_cell(space.displacement_dof[c][n]) -= point.values[n] * f[c];
+          });
         if (supported)
           links.distribute_local_to_global(of_cell, indices, nodal);
       }
@@ -180,7 +171,7 @@ namespace lumbricus
           x[c] += relevant(entry.node[c]);
         r[entry.component] = nodal(entry.index);
         if (entry.by == Supports::By::condition)
-          all[number.at(entry.condition)].add(x, r);
+          all[entry.number].add(x, r);
         else if (entry.by == Supports::By::symmetry)
           all[n_conditions + entry.number].add(x, r);
         else

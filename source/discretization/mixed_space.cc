@@ -114,14 +114,26 @@ namespace lumbricus
 
 
   State
-  MixedSpace::initial_state(const std::vector<double> &past) const
+  MixedSpace::initial_state() const
+  {
+    StateOutline outline;
+    outline.histories = NodalHistory::names();
+    return zero_state(outline);
+  }
+
+
+
+  State
+  MixedSpace::zero_state(const StateOutline &outline) const
   {
     State state;
+    state.time      = outline.time;
+    state.last_time = outline.last_time;
     state.solution.reinit(locally_owned, communicator());
-    for (const std::string &name : NodalHistory::names())
+    for (const std::string &name : outline.histories)
       state.histories[name].reinit(rest_dof_handler.locally_owned_dofs(),
                                    communicator());
-    for (const double t : past)
+    for (const double t : outline.past)
       state.past.push_back({t, state.solution});
     return state;
   }

@@ -221,21 +221,25 @@ namespace lumbricus
             // Which components, by whom.
             struct Holder
             {
-              unsigned int             component;
-              const BoundaryCondition *condition;
-              unsigned int             plane;
+              unsigned int                  component;
+              const PrescribedDisplacement *condition; // or nullptr
+              unsigned int                  number;
             };
             std::vector<Holder> who;
             for (unsigned int p = 0; p < planes.size(); ++p)
               if (planes[p].boundary == id)
                 who.push_back({planes[p].direction, nullptr, p});
-            for (const BoundaryCondition *condition :
-                 conditions.on_boundary(id))
-              for (unsigned int c = 0; c < dim; ++c)
-                if (condition->prescribed_components()[c])
-                  who.push_back({c, condition, 0});
+            for (const unsigned int i :
+                 conditions.prescribed_displacements_on(id))
+              {
+                const auto *condition =
+                  conditions.condition(i).prescribed_displacement();
+                for (unsigned int c = 0; c < dim; ++c)
+                  if (condition->components()[c])
+                    who.push_back({c, condition, i});
+              }
 
-            for (const auto &[c, condition, plane] : who)
+            for (const auto &[c, condition, number] : who)
               for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
                 {
                   const unsigned int i = space.displacement_dof[c][n];
@@ -251,7 +255,7 @@ namespace lumbricus
                        cell, space.fe.unit_support_point(i)),
                      condition,
                      condition == nullptr ? By::symmetry : By::condition,
-                     plane,
+                     number,
                      {{indices[space.displacement_dof[0][n]],
                        indices[space.displacement_dof[1][n]],
                        indices[space.displacement_dof[2][n]]}}});
@@ -287,13 +291,14 @@ namespace lumbricus
                               dealii::IteratorFilters::LocallyOwnedCell())
       for (const auto &face : cell->face_iterators())
         if (face->at_boundary())
-          for (const BoundaryCondition *condition :
-               conditions.on_boundary(face->boundary_id()))
+          for (const unsigned int i :
+               conditions.surface_terms_on(face->boundary_id()))
             {
               face_values.reinit(mesh_cell(cell), face);
               for (const unsigned int q :
                    face_values.quadrature_point_indices())
-                for (const auto &direction : condition->elastic_directions(
+                for (const auto &direction :
+                     conditions.condition(i).surface_term()->elastic_directions(
                        face_values.normal_vector(q)))
                   motions[body_of(cell->material_id())].hold(
                     face_values.quadrature_point(q), direction);
@@ -429,9 +434,7 @@ namespace lumbricus
           continue;
         const double wanted = t.take(
           [&](const double at) {
-            return entry.condition->prescribed_displacement(entry.component,
-                                                            entry.X,
-                                                            at);
+            return entry.condition->value(entry.component, entry.X, at);
           },
           0.);
         const double missing = wanted - relevant(entry.index);

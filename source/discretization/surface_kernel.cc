@@ -7,14 +7,21 @@
 
 namespace lumbricus
 {
-  SurfaceKernel::SurfaceKernel(const MixedSpace &space)
+  SurfaceKernel::SurfaceKernel(const MixedSpace                  &space,
+                               const dealii::Quadrature<dim - 1> &quadrature)
     : space(space)
     , face_values(space.mapping,
                   space.fe,
-                  space.face_quadrature,
+                  quadrature,
                   dealii::update_values | dealii::update_gradients |
                     dealii::update_JxW_values | dealii::update_normal_vectors |
                     dealii::update_quadrature_points)
+  {}
+
+
+
+  SurfaceKernel::SurfaceKernel(const MixedSpace &space)
+    : SurfaceKernel(space, space.face_quadrature)
   {}
 
 
@@ -32,7 +39,7 @@ namespace lumbricus
   unsigned int
   SurfaceKernel::n_points() const
   {
-    return space.face_quadrature.size();
+    return face_values.n_quadrature_points;
   }
 
 

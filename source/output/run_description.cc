@@ -128,10 +128,10 @@ namespace lumbricus
       for (unsigned int i = 0; i < conditions.n_conditions(); ++i)
         {
           const NamedCondition &condition = conditions.condition(i);
-          const auto held = condition.type->prescribed_components();
+          const auto *held = condition.prescribed_displacement();
           std::vector<std::string> components;
           for (unsigned int d = 0; d < dim; ++d)
-            if (held[d])
+            if (held != nullptr && held->components()[d])
               components.push_back(axis_name(d));
           all.append(JsonValue::object()
                        .add("name", condition.name)

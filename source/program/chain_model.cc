@@ -19,10 +19,11 @@ namespace lumbricus
                parameters.anatomy,
                parameters.interface_coupling,
                parameters.boundary_conditions)
+    , surface_terms(space, parameters.boundary_conditions)
     , assembler(space,
                 shapes,
                 parameters.anatomy,
-                parameters.boundary_conditions,
+                surface_terms,
                 references,
                 supports)
     , equilibrium(space,
@@ -85,7 +86,18 @@ namespace lumbricus
     shapes.reinit();
     references.reinit();
     supports.reinit();
+    surface_terms.reinit();
     equilibrium.reinit();
+  }
+
+
+
+  State
+  ChainModel::rest_state() const
+  {
+    StateOutline outline = space.initial_state().outline();
+    outline.histories.merge(surface_terms.histories());
+    return space.zero_state(outline);
   }
 
 
@@ -94,6 +106,7 @@ namespace lumbricus
   ChainModel::set_to(const State &state, const LoadTime &t)
   {
     references.update(state, t);
+    surface_terms.set_to(state);
     equilibrium.set_time(t, state.solution);
     equilibrium.start_from(state.solution);
   }
@@ -121,6 +134,7 @@ namespace lumbricus
   ChainModel::solve(State &state, const LoadTime &t, const Vector &guess)
   {
     references.update(state, t);
+    surface_terms.set_to(state);
     parameters.boundary_conditions.try_expressions(triangulation, {t.to()});
     equilibrium.set_time(t, guess);
     const Vector start  = state.solution;
@@ -144,17 +158,27 @@ namespace lumbricus
 
 
   std::vector<ExternalForce>
-  ChainModel::forces_on_body(const State &state) const
+  ChainModel::forces_on_body(const State &state)
   {
     dealii::TimerOutput::Scope scope(timer, "reactions");
+    surface_terms.set_to(state);
     return external_forces(space,
                            shapes,
                            parameters.anatomy,
                            parameters.boundary_conditions,
+                           surface_terms,
                            references,
                            supports,
                            state.solution,
                            state.time);
+  }
+
+
+
+  void
+  ChainModel::end_step(State &state) const
+  {
+    surface_terms.end_step(state);
   }
 
 

@@ -66,14 +66,16 @@ namespace lumbricus
   {
     if (checkpoint != nullptr)
       {
-        first_state = checkpoint->read_state(model.space);
+        first_state =
+          checkpoint->read_state(model.space,
+                                 model.rest_state().outline().histories);
         folder.continue_tables(checkpoint->progress().tables);
         so_far.step    = checkpoint->progress().step;
         so_far.time    = checkpoint->progress().time;
         so_far.seconds = checkpoint->progress().elapsed_seconds;
       }
     else
-      first_state = model.space.initial_state();
+      first_state = model.rest_state();
     so_far.end_time = parameters.load_stepping.end_time();
     results = std::make_unique<Results>(folder,
                                         model.space,
@@ -206,6 +208,7 @@ namespace lumbricus
         record.external_forces = model.forces_on_body(next);
         record.softest_stiffness =
           parameters.stability_watch.look(model, next, log);
+        model.end_step(next);
         charge(record, before);
         state = next;
         step  = record;
@@ -270,9 +273,9 @@ namespace lumbricus
     progress.step            = step.number;
     progress.step_size       = parameters.load_stepping.step();
     progress.elapsed_seconds = step.elapsed_seconds;
-    for (const auto &history : state.histories)
-      progress.histories.insert(history.first);
-    progress.past = state.past_times();
+    const StateOutline outline = state.outline();
+    progress.histories         = outline.histories;
+    progress.past              = outline.past;
     results->note(progress);
     return progress;
   }

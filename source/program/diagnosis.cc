@@ -91,7 +91,7 @@ namespace lumbricus
         const double likeness = stability.likeness(softest, answer);
         const auto   place    = stability.place(softest);
 
-        const State at_rest = model.space.initial_state();
+        const State at_rest = model.rest_state();
         linearise(model, at_rest, at_rest.time);
         const double softest_part =
           softest.stiffness / stability.softest_motion().stiffness;

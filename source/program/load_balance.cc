@@ -57,7 +57,7 @@ namespace lumbricus
               const NamedCondition &load = conditions.condition(i);
               if (!face->at_boundary() ||
                   face->boundary_id() != load.boundary ||
-                  !load.type->acts_on_surface())
+                  load.surface_term() == nullptr)
                 continue;
               face_values.reinit(mesh_cell(cell), face);
               for (const unsigned int q :
@@ -149,7 +149,8 @@ namespace lumbricus
           SurfaceResponse response;
           load.point.t = times[k];
           conditions.condition(load.condition)
-            .type->surface(load.point, response);
+            .surface_term()
+            ->surface(load.point, response);
           const auto row = held.row(load.point.X, load.JxW * response.T);
           for (unsigned int i = 0; i < n_of_row; ++i)
             sum[i] += row[i];

@@ -23,8 +23,7 @@ namespace lumbricus
     public:
       Backup(const ChainModel &model, const State &state)
         : refined(refined_cells(model.triangulation))
-        , time(state.time)
-        , past(state.past_times())
+        , outline(state.outline())
       {
         std::ostringstream out;
         write_cells(model.space, state, out);
@@ -39,8 +38,7 @@ namespace lumbricus
         model.number_unknowns();
         model.reinit();
 
-        state      = model.space.initial_state(past);
-        state.time = time;
+        state = model.space.zero_state(outline);
         // Cells may have come to other ranks.
         CellReader reader(model.space, state);
         for (const std::string &of_rank :
@@ -57,9 +55,8 @@ namespace lumbricus
       const std::set<CellKey> refined;
 
     private:
-      const double              time;
-      const std::vector<double> past;
-      std::string               cells;
+      const StateOutline outline;
+      std::string        cells;
     };
 
 

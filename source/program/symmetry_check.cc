@@ -313,13 +313,11 @@ namespace lumbricus
 
 
     Tensor<1, dim>
-    traction(const BoundaryCondition &condition,
-             SurfacePoint             point,
-             const double             t)
+    traction(const SurfaceTerm &term, SurfacePoint point, const double t)
     {
       SurfaceResponse response;
       point.t = t;
-      condition.surface(point, response);
+      term.surface(point, response);
       return response.T;
     }
 
@@ -333,11 +331,12 @@ namespace lumbricus
                     const std::vector<double> &times,
                     const bool                 tractions_too)
     {
-      const BoundaryCondition &condition = *load.type;
-      const unsigned int       d         = plane.direction;
+      const SurfaceTerm *const term = load.surface_term();
+      const auto *const  held       = load.prescribed_displacement();
+      const unsigned int d          = plane.direction;
       const double length  = anatomy.geometry().characteristic_length();
-      const bool   pulls   = tractions_too && condition.acts_on_surface();
-      const bool   is_held = condition.prescribed_components()[d];
+      const bool   pulls   = tractions_too && term != nullptr;
+      const bool   is_held = held != nullptr && held->components()[d];
       if (!pulls && !is_held)
         return "";
 
@@ -352,8 +351,7 @@ namespace lumbricus
               std::ostringstream  what;
               if (is_held)
                 {
-                  const double u =
-                    condition.prescribed_displacement(d, point.X, t);
+                  const double u = held->value(d, point.X, t);
                   if (std::abs(u) > 1e-6 * length)
                     what << "its displacement along the normal, u" << "xyz"[d]
                          << " = " << u << " mm, has to be zero there";
@@ -362,7 +360,7 @@ namespace lumbricus
                 {
                   // A traction along the surface's normal is as symmetric as
                   // the surface.
-                  const auto   T = traction(condition, point, t);
+                  const auto   T = traction(*term, point, t);
                   const double off =
                     std::min(std::abs(T[d]),
                              std::abs((T - (T * point.N) * point.N)[d]));
@@ -370,7 +368,7 @@ namespace lumbricus
                   if (off > 0.)
                     for (const SurfacePoint &node : face.nodes)
                       most =
-                        std::max(most, traction(condition, node, t).norm());
+                        std::max(most, traction(*term, node, t).norm());
                   if (off > tolerance * most)
                     what << "its traction along the normal, T" << "xyz"[d]
                          << " = " << T[d]

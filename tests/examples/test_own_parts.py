@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A law, a geometry, an activation, a table and a field from outside the tree, in a
-program and in a library that find this one with CMake: in its build folder, and where
+"""A law, a geometry, an activation, a boundary condition that remembers, a table and
+a field from outside the tree, in a program and in a library that find this one with CMake: in its build folder, and where
 it is installed; and lumbricus-plot draws that geometry."""
 # On Debian 13 neither of the two could be built: deal.II is set there to link with
 # mold, which nothing installs, and CMake, told nothing, writes files for make, which
@@ -181,6 +181,78 @@ def test_a_table_and_a_field_over_a_restart(mine, tmp_path, ranks):
     check_field(tmp_path)
 
 
+def dragged(times):
+    """How far the end of the bar of sticky.prm is, and the force on it, at times one
+    after the other: what it does depends on where its springs were last."""
+    k, d = 0.1, 0.2
+    anchor = 0
+    for t in times:
+        pull = 0.5 * math.sin(math.pi * t / 2)
+
+        def force(l):
+            return -k * min(max(pull + l - 1 - anchor, -d), d)
+
+        low, high = 0.5, 2
+        while high - low > 1e-14:
+            l = (low + high) / 2
+            if stress_at(l) / l < force(l):
+                low = l
+            else:
+                high = l
+        u = pull + l - 1
+        anchor = min(max(anchor, u - d), u + d)
+        yield u, force(l)
+
+
+def check_dragged(folder, end):
+    rows = rows_of(folder / "points.csv")
+    assert rows[-1]["t"] == end
+    with open(folder / "reactions.csv") as file:
+        forces = [float(row["force_x"]) for row in csv.DictReader(file)
+                  if row["name"] == "grip"]
+    expected = list(dragged([row["t"] for row in rows]))
+    assert len(forces) == len(rows) - 1
+    for row, force, (u, exact) in zip(rows[1:], forces, expected[1:]):
+        assert abs(row["ux"] - u) < 1e-9
+        assert abs(force - exact) < 1e-10
+    return [u for u, _ in expected], [force for _, force in expected]
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_skin_that_remembers_over_a_restart(mine, tmp_path, ranks):
+    case = EXAMPLE / "sticky.prm"
+    run(mine, case, "--output", tmp_path / "whole", ranks=ranks)
+    u, forces = check_dragged(tmp_path / "whole", 4)
+    # It sticks and slips, both ways, and comes back to where it was not before.
+    assert min(forces) == pytest.approx(-0.02) and max(forces) == pytest.approx(0.02)
+    assert sum(abs(force) < 0.019 for force in forces) > 10
+    assert u[0] == 0 and u[-1] < -0.1
+
+    # In the middle of a slip, and right after the way back has begun.
+    cut = tmp_path / "cut"
+    run(mine, case, "--output", cut, "--set", "Time/End=0.8", ranks=ranks)
+    for end in (1.2, 4):
+        run(mine, "--restart", cut, "--set", f"Time/End={end}", ranks=3 - ranks)
+        check_dragged(cut, end)
+    for row, other in zip(rows_of(cut / "points.csv"),
+                          rows_of(tmp_path / "whole" / "points.csv")):
+        assert row["t"] == other["t"] and abs(row["ux"] - other["ux"]) < 1e-12
+
+    # What a run remembers cannot be left out, nor asked for too late.
+    for settings, words in (
+            (["Boundary conditions/grip/Type=spring"], "has the history 'boundary:grip'"),
+            (["Boundary conditions/Names=pull,grip,more",
+              "Boundary conditions/more/Boundary=y max",
+              "Boundary conditions/more/Type=sticky"],
+             "does not have the history 'boundary:more'")):
+        arguments = [word for setting in [*settings, "Time/End=5"]
+                     for word in ("--set", setting)]
+        process = subprocess.run([mine, "--restart", cut, *arguments],
+                                 capture_output=True, text=True, timeout=60)
+        assert process.returncode == 1
+        assert words in " ".join(process.stderr.split())
+
+
 def test_a_table_whose_name_is_taken(package, tmp_path):
     text = (EXAMPLE / "mean_stress.cc").read_text()
     assert text.count('"mean_stress"') == 1
@@ -231,7 +303,7 @@ def check_near(rows, expected, tolerance):
             [*map(float, other)], rel=tolerance, abs=tolerance, nan_ok=True)
 
 
-@pytest.mark.parametrize("case", ["case.prm", "twitch.prm"])
+@pytest.mark.parametrize("case", ["case.prm", "twitch.prm", "sticky.prm"])
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_the_library_gives_what_the_program_gives(case, ranks, mine, installed,
                                                   tmp_path):
@@ -251,9 +323,11 @@ def test_the_library_gives_what_the_program_gives(case, ranks, mine, installed,
     # In two parts: the library is that of the checkpoint.
     run(program, EXAMPLE / case, "--output", tmp_path / "parts", *library,
         "--set", "Checkpoints/Steps=1", "--set", "Time/End=0.5", ranks=ranks)
-    run(program, "--restart", tmp_path / "parts", "--set", "Time/End=1", ranks=ranks)
+    end = expected[-1][0]
+    run(program, "--restart", tmp_path / "parts", "--set", f"Time/End={end}",
+        ranks=ranks)
     rows = untimed_rows(tmp_path / "parts", "segments.csv")
-    assert rows[-1][0] == "1"
+    assert rows[-1][0] == end
     check_near([rows[0], rows[-1]], [expected[0], expected[-1]], 1e-7)
 
 

@@ -2,6 +2,7 @@
 // What a change of the mesh does to a state.
 #include <lumbricus/adaptivity/mesh_record.h>
 #include <lumbricus/adaptivity/state_transfer.h>
+#include <lumbricus/core/nodal_history.h>
 #include <lumbricus/discretization/cell_state.h>
 #include <lumbricus/discretization/local_constraints.h>
 #include <lumbricus/geometry/geometry.h>
@@ -32,9 +33,17 @@ namespace
       read_plugin<Geometry>("open cylinder", "set Cross-section = quarter")
         ->create_coarse_mesh(triangulation);
       number();
-      state      = space.initial_state(past);
-      state.time = 0.7;
+      state = space.zero_state(outline());
       fill();
+    }
+
+    // As of a run whose skin remembers something, in the middle of a step.
+    StateOutline
+    outline() const
+    {
+      auto histories = NodalHistory::names();
+      histories.insert(NodalHistory::of_boundary("the skin"));
+      return {0.7, 0.6, past, histories};
     }
 
     void
@@ -177,6 +186,7 @@ TEST_P(StateTransfer, RefinementChangesNoFunction)
   refine_some();
   EXPECT_GT(triangulation.n_global_active_cells(), n_cells);
   EXPECT_EQ(state.time, 0.7);
+  EXPECT_EQ(state.last_time, 0.6);
   EXPECT_NEAR(integral() / before, 1., 1e-13);
   refine_some();
   EXPECT_NEAR(integral() / before, 1., 1e-13);
@@ -200,7 +210,7 @@ TEST_P(StateTransfer, MergingUndoesRefinement)
     EXPECT_NEAR(a.l2_norm() / b.l2_norm(), 1., 1e-14);
   };
   expect_equal(state.solution, before.solution);
-  ASSERT_EQ(state.histories.size(), 2);
+  ASSERT_EQ(state.histories.size(), 3);
   for (const auto &[name, vector] : before.histories)
     expect_equal(state.histories.at(name), vector);
   ASSERT_EQ(state.past.size(), 2);
@@ -217,7 +227,7 @@ TEST_P(StateTransfer, WhatHangsIsConforming)
 {
   triangulation.refine_global(1);
   number();
-  state = space.initial_state(past);
+  state = space.zero_state(outline());
   fill();
   // Merge some, so that coarse cells get fine neighbours that do not fit.
   for (const auto &cell : triangulation.active_cell_iterators())

@@ -9,6 +9,7 @@
 #include <lumbricus/discretization/state_record.h>
 #include <lumbricus/output/run_folder.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -79,9 +80,11 @@ namespace lumbricus
     refine(ParallelMesh &triangulation) const;
 
     /** Read the state, on as many ranks as there are. Throws ExcInput where it
-     * is not that of this mesh. Collective. */
+     * is not that of this mesh, or does not have just these @p histories.
+     * Collective. */
     State
-    read_state(const MixedSpace &space) const;
+    read_state(const MixedSpace            &space,
+               const std::set<std::string> &histories) const;
 
   private:
     /** The small files, which all ranks have. */
@@ -101,6 +104,10 @@ namespace lumbricus
         archive &manifest &progress &inputs &parameters &mesh;
       }
     };
+
+    /** Throw ExcInput where the state does not have just these histories. */
+    void
+    check_histories(const std::set<std::string> &wanted) const;
 
     /** Read and check all files of it. Throws ExcDamaged, ExcUnknownItem. */
     static Texts

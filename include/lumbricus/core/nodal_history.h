@@ -38,9 +38,18 @@ namespace lumbricus
     const Vector &
     in(const State &state) const;
 
-    /** The names of all. */
+    /** The names of all, which every state has. */
     static const std::set<std::string> &
     names();
+
+    /** What a state calls the history that a condition at the boundary has in
+     * some runs: 'boundary:left%20arm', where the user calls it 'left arm'. */
+    static std::string
+    of_boundary(const std::string &condition);
+
+    /** Whether there can be a history @p name in this version. */
+    static bool
+    is_known(const std::string &name);
 
   private:
     const std::string own_name;

@@ -6,6 +6,7 @@
 
 #include <deque>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,17 @@ namespace lumbricus
 {
   /** What a state is made of: Trilinos' distributed vectors. */
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+  /** What a state consists of, without the numbers on the mesh. */
+  struct StateOutline
+  {
+    double                time      = 0.; ///< State::time
+    double                last_time = 0.; ///< State::last_time
+    std::vector<double>   past;           ///< the times of State::past
+    std::set<std::string> histories;      ///< the names of State::histories
+  };
+
+
 
   /**
    * All that a run has to remember, as a value: copy it to roll back.
@@ -30,24 +42,29 @@ namespace lumbricus
 
     /** The load parameter, called time [any unit: the problem is static]. */
     double time = 0.;
+    /** When the last load step ended; the same as the time where none is under
+     * way. */
+    double last_time = 0.;
     /** Displacement u [mm] and pressure variable p [N/mm^2], owned entries. */
     Vector solution;
-    /** Vector fields that have a value at each node of each cell, by name:
-     * NodalHistory gives them. */
+    /** Vector fields that have a value at each node of each cell, by name: see
+     * NodalHistory. */
     std::map<std::string, Vector> histories;
     /** The ends of the last load steps, the latest first, from which Predictor
      * extrapolates: as many as it needs, none where the load does not go on as
      * it did. */
     std::deque<Past> past;
 
-    /** When the solutions of the past were those of the run. */
-    std::vector<double>
-    past_times() const
+    /** What this consists of. */
+    StateOutline
+    outline() const
     {
-      std::vector<double> times;
+      StateOutline found{time, last_time, {}, {}};
       for (const Past &earlier : past)
-        times.push_back(earlier.time);
-      return times;
+        found.past.push_back(earlier.time);
+      for (const auto &history : histories)
+        found.histories.insert(history.first);
+      return found;
     }
 
     /** After entries have been set. Collective. */

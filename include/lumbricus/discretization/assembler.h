@@ -7,9 +7,9 @@
 #include <lumbricus/discretization/reference_field.h>
 #include <lumbricus/discretization/rounding_level.h>
 #include <lumbricus/discretization/supports.h>
+#include <lumbricus/discretization/surface_terms.h>
 #include <lumbricus/discretization/surface_kernel.h>
 #include <lumbricus/discretization/tangent.h>
-#include <lumbricus/loads/boundary_conditions.h>
 
 #include <memory>
 
@@ -52,11 +52,12 @@ namespace lumbricus
     };
 
     /** All of these are kept by reference, and have to be up to date when they
-     * are used: @p references at the time, @p supports at the solution. */
+     * are used: @p references at the time, @p terms at the last state,
+     * @p supports at the solution. */
     Assembler(const MixedSpace         &space,
               const ShapeCache         &shapes,
               const Anatomy            &anatomy,
-              const BoundaryConditions &conditions,
+              SurfaceTerms             &terms,
               const ReferenceField     &references,
               const Supports           &supports);
 
@@ -126,7 +127,7 @@ namespace lumbricus
     const MixedSpace         &space;
     const ShapeCache         &shapes;
     const Anatomy            &anatomy;
-    const BoundaryConditions &conditions;
+    SurfaceTerms             &terms;
     const ReferenceField     &references;
     const Supports           &supports;
 

@@ -4,6 +4,7 @@
 
 #include <lumbricus/discretization/reference_field.h>
 #include <lumbricus/discretization/supports.h>
+#include <lumbricus/discretization/surface_terms.h>
 
 #include <string>
 #include <vector>
@@ -52,13 +53,15 @@ namespace lumbricus
   /**
    * The forces of all loads and supports at @p solution and time @p t: those
    * with a name in the order of the names, the planes of symmetry, and what the
-   * minimal support holds. @p references have to be up to date. Collective.
+   * minimal support holds. @p references and @p terms have to be up to date.
+   * Collective.
    */
   std::vector<ExternalForce>
   external_forces(const MixedSpace         &space,
                   const ShapeCache         &shapes,
                   const Anatomy            &anatomy,
                   const BoundaryConditions &conditions,
+                  SurfaceTerms             &terms,
                   const ReferenceField     &references,
                   const Supports           &supports,
                   const Vector             &solution,

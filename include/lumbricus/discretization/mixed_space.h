@@ -70,10 +70,13 @@ namespace lumbricus
     void
     set_finest_curved_level(const unsigned int level);
 
-    /** A state of rest at time zero; with earlier solutions of these times,
-     * zero too. */
+    /** A state of rest at time zero, with the histories that all runs have. */
     State
-    initial_state(const std::vector<double> &past = {}) const;
+    initial_state() const;
+
+    /** A state that consists of what @p outline says, all of it zero. */
+    State
+    zero_state(const StateOutline &outline) const;
 
     /** @p solution, which has owned entries, with those that the owned cells
      * need. Collective. */

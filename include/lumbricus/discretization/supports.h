@@ -4,7 +4,7 @@
 
 #include <lumbricus/discretization/rigid_motions.h>
 #include <lumbricus/discretization/slip_interface.h>
-#include <lumbricus/loads/boundary_conditions.h>
+#include <lumbricus/terms/boundary_conditions.h>
 
 #include <deal.II/lac/affine_constraints.h>
 
@@ -39,9 +39,10 @@ namespace lumbricus
       unsigned int                    component; ///< of the displacement
       unsigned int                    body;      ///< see body_of()
       dealii::Point<dim>              X;         ///< its node [mm]
-      const BoundaryCondition        *condition; ///< or nullptr
+      const PrescribedDisplacement   *condition; ///< or nullptr
       By                              by;        ///< what holds it
-      /** Which plane of the geometry, or which of minimal_support(). */
+      /** Which boundary condition, which plane of the geometry, or which of
+       * minimal_support(). */
       unsigned int number;
       /** The displacement of its node. */
       std::array<dealii::types::global_dof_index, dim> node;

@@ -4,6 +4,7 @@
 
 #include <lumbricus/discretization/shape_cache.h>
 
+#include <deal.II/base/quadrature.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/fe/fe_values.h>
 
@@ -21,7 +22,12 @@ namespace lumbricus
     /** Nodes of a cell. */
     static constexpr unsigned int n_nodes = MixedSpace::n_nodes;
 
-    /** For the cells of @p space, which is kept by reference. */
+    /** For the cells of @p space, which is kept by reference, at the points of
+     * @p quadrature. */
+    SurfaceKernel(const MixedSpace                  &space,
+                  const dealii::Quadrature<dim - 1> &quadrature);
+
+    /** At those of MixedSpace::face_quadrature. */
     explicit SurfaceKernel(const MixedSpace &space);
 
     /** Go to face @p face of @p cell. */

@@ -5,7 +5,7 @@
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/core/json_value.h>
 #include <lumbricus/core/parameter_entry.h>
-#include <lumbricus/loads/boundary_conditions.h>
+#include <lumbricus/terms/boundary_conditions.h>
 #include <lumbricus/output/run_costs.h>
 #include <lumbricus/output/run_folder.h>
 

@@ -43,6 +43,11 @@ namespace lumbricus
     void
     reinit();
 
+    /** A state of rest at time zero, with all the histories that this run
+     * has. */
+    State
+    rest_state() const;
+
     /** Make this the model of @p state under the loads at @p t, ready to be
      * linearised there. Collective. */
     void
@@ -63,7 +68,12 @@ namespace lumbricus
     /** The forces of all loads and supports at @p state, which solve() has
      * found. Collective. */
     std::vector<ExternalForce>
-    forces_on_body(const State &state) const;
+    forces_on_body(const State &state);
+
+    /** The load step that has led to @p state is complete: let it remember what
+     * it has to. Collective. */
+    void
+    end_step(State &state) const;
 
     /** The same with the loads taken at @p t, whatever the time of @p state,
      * and with Newton's method beginning with @p guess. */
@@ -88,6 +98,7 @@ namespace lumbricus
     ShapeCache     shapes;        ///< their shape functions
     ReferenceField references;    ///< fibres, G and J_v at all points
     Supports       supports;      ///< the constraints
+    SurfaceTerms   surface_terms; ///< tractions, and what the skin remembers
     Assembler      assembler;     ///< residual and tangent
     Equilibrium    equilibrium;   ///< all that Newton's method sees
   };

@@ -9,7 +9,7 @@
 #include <lumbricus/core/load_curves.h>
 #include <lumbricus/core/load_stepping.h>
 #include <lumbricus/discretization/interface_coupling.h>
-#include <lumbricus/loads/boundary_conditions.h>
+#include <lumbricus/terms/boundary_conditions.h>
 #include <lumbricus/output/output_parts.h>
 #include <lumbricus/program/shared_libraries.h>
 #include <lumbricus/program/stability_watch.h>

@@ -4,7 +4,7 @@
 
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/discretization/mixed_space.h>
-#include <lumbricus/loads/boundary_conditions.h>
+#include <lumbricus/terms/boundary_conditions.h>
 
 #include <vector>
 

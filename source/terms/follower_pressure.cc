@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/registry.h>
-#include <lumbricus/loads/boundary_condition.h>
+#include <lumbricus/terms/surface_term.h>
 
 #include <memory>
 
@@ -12,7 +12,7 @@ namespace lumbricus
    *   T = -P cof(F) N,   cof(F) = J F^(-T),
    *   dT_i/dF_kL = -P (n_i F^(-1)_Lk - n_k F^(-1)_Li),   n = cof(F) N.
    */
-  class FollowerPressure : public BoundaryCondition
+  class FollowerPressure : public SurfaceTerm
   {
   public:
     void
@@ -34,12 +34,6 @@ namespace lumbricus
     expressions() const override
     {
       return {*pressure};
-    }
-
-    bool
-    acts_on_surface() const override
-    {
-      return true;
     }
 
     bool

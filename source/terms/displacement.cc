@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/registry.h>
 #include <lumbricus/core/vector_expression.h>
-#include <lumbricus/loads/boundary_condition.h>
+#include <lumbricus/terms/prescribed_displacement.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -10,7 +10,7 @@
 namespace lumbricus
 {
   /** u_i = g_i(t, X) on the surface for the components listed. */
-  class PrescribedDisplacement : public BoundaryCondition
+  class DisplacementOfFormulas : public PrescribedDisplacement
   {
   public:
     void
@@ -41,20 +41,20 @@ namespace lumbricus
     }
 
     std::array<bool, dim>
-    prescribed_components() const override
+    components() const override
     {
-      std::array<bool, dim> components;
+      std::array<bool, dim> known;
       for (unsigned int i = 0; i < dim; ++i)
-        components[i] = std::count(component_names.begin(),
+        known[i] = std::count(component_names.begin(),
                                    component_names.end(),
                                    std::string(1, "xyz"[i])) > 0;
-      return components;
+      return known;
     }
 
     double
-    prescribed_displacement(const unsigned int        component,
-                            const dealii::Point<dim> &X,
-                            const double              t) const override
+    value(const unsigned int        component,
+          const dealii::Point<dim> &X,
+          const double              t) const override
     {
       return displacement[component].value(X, t);
     }
@@ -65,7 +65,7 @@ namespace lumbricus
     std::vector<Expression>  displacement;
   };
 
-  static const Register<BoundaryCondition, PrescribedDisplacement>
-    prescribed_displacement("displacement",
-                            "displacements prescribed as functions of time.");
+  static const Register<BoundaryCondition, DisplacementOfFormulas>
+    displacement("displacement",
+                 "displacements prescribed as functions of time.");
 } // namespace lumbricus

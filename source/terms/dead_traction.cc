@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/registry.h>
 #include <lumbricus/core/vector_expression.h>
-#include <lumbricus/loads/boundary_condition.h>
+#include <lumbricus/terms/surface_term.h>
 
 namespace lumbricus
 {
   /** A traction T(t, X) per reference area, whatever the deformation. */
-  class DeadTraction : public BoundaryCondition
+  class DeadTraction : public SurfaceTerm
   {
   public:
     void
@@ -28,12 +28,6 @@ namespace lumbricus
     expressions() const override
     {
       return traction;
-    }
-
-    bool
-    acts_on_surface() const override
-    {
-      return true;
     }
 
     void

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/patterns.h>
 #include <lumbricus/core/registry.h>
-#include <lumbricus/loads/boundary_condition.h>
+#include <lumbricus/terms/surface_term.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -13,7 +13,7 @@ namespace lumbricus
    * Elastic bedding, T = -k u, or only against the displacement along the
    * reference normal, T = -k (u . N) N.
    */
-  class Spring : public BoundaryCondition
+  class Spring : public SurfaceTerm
   {
   public:
     void
@@ -36,12 +36,6 @@ namespace lumbricus
     expressions() const override
     {
       return {};
-    }
-
-    bool
-    acts_on_surface() const override
-    {
-      return true;
     }
 
     void

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef lumbricus_loads_boundary_conditions_h
-#define lumbricus_loads_boundary_conditions_h
+#ifndef lumbricus_terms_boundary_conditions_h
+#define lumbricus_terms_boundary_conditions_h
 
 #include <lumbricus/core/load_curve.h>
 #include <lumbricus/core/named_sections.h>
 #include <lumbricus/core/registry.h>
 #include <lumbricus/geometry/geometry.h>
-#include <lumbricus/loads/boundary_condition.h>
+#include <lumbricus/terms/prescribed_displacement.h>
+#include <lumbricus/terms/surface_term.h>
 
 #include <deal.II/distributed/tria_base.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,14 @@ namespace lumbricus
 
     void
     check_parameters() const override;
+
+    /** What acts there as a traction, or nullptr. */
+    const SurfaceTerm *
+    surface_term() const;
+
+    /** What acts there as known displacements, or nullptr. */
+    const PrescribedDisplacement *
+    prescribed_displacement() const;
 
     /** The name of the section. */
     std::string name;
@@ -89,9 +99,14 @@ namespace lumbricus
     load_curves(
       const dealii::parallel::TriangulationBase<dim> &triangulation) const;
 
-    /** The conditions that act on boundary @p id. */
-    std::vector<const BoundaryCondition *>
-    on_boundary(const dealii::types::boundary_id id) const;
+    /** Which of the conditions are a SurfaceTerm on boundary @p id. */
+    const std::vector<unsigned int> &
+    surface_terms_on(const dealii::types::boundary_id id) const;
+
+    /** Which of the conditions are a PrescribedDisplacement of boundary
+     * @p id. */
+    const std::vector<unsigned int> &
+    prescribed_displacements_on(const dealii::types::boundary_id id) const;
 
     /** Whether rigid motions that are left are to be held at three points. */
     bool
@@ -105,6 +120,11 @@ namespace lumbricus
     bool                          hold_rigid_motions = true;
     std::vector<std::string>      names;
     NamedSections<NamedCondition> conditions;
+
+    /** Numbers of conditions by where they act. */
+    using ByBoundary =
+      std::map<dealii::types::boundary_id, std::vector<unsigned int>>;
+    ByBoundary surface_terms, prescribed_displacements;
   };
 } // namespace lumbricus
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/patterns.h>
-#include <lumbricus/loads/boundary_conditions.h>
+#include <lumbricus/terms/boundary_conditions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +25,19 @@ namespace lumbricus
       for (const std::string &name : names)
         all += (all.empty() ? "'" : ", '") + name + "'";
       return all;
+    }
+
+
+
+    // The conditions at a boundary, often none.
+    const std::vector<unsigned int> &
+    at_boundary(const std::map<dealii::types::boundary_id,
+                               std::vector<unsigned int>> &conditions,
+                const dealii::types::boundary_id           id)
+    {
+      static const std::vector<unsigned int> none;
+      const auto                             found = conditions.find(id);
+      return found == conditions.end() ? none : found->second;
     }
 
 
@@ -94,6 +107,22 @@ namespace lumbricus
                                Registry<BoundaryCondition>::quoted_names() +
                                "."));
     type.check_parameters();
+  }
+
+
+
+  const SurfaceTerm *
+  NamedCondition::surface_term() const
+  {
+    return dynamic_cast<const SurfaceTerm *>(type.get());
+  }
+
+
+
+  const PrescribedDisplacement *
+  NamedCondition::prescribed_displacement() const
+  {
+    return dynamic_cast<const PrescribedDisplacement *>(type.get());
   }
 
 
@@ -171,7 +200,13 @@ namespace lumbricus
         condition.type.get()->initialize(section + "/" + condition.name + "/" +
                                          condition.type.chosen_name());
 
-        const auto components = condition.type->prescribed_components();
+        if (condition.surface_term() != nullptr)
+          surface_terms[condition.boundary].push_back(i);
+        if (condition.prescribed_displacement() == nullptr)
+          continue;
+        prescribed_displacements[condition.boundary].push_back(i);
+        const auto components =
+          condition.prescribed_displacement()->components();
         for (unsigned int c = 0; c < dim; ++c)
           AssertThrow(!components[c] ||
                         prescribed.insert({condition.boundary, c}).second,
@@ -249,10 +284,9 @@ namespace lumbricus
     std::vector<LoadCurve> curves;
     for (unsigned int i = 0; i < conditions.size(); ++i)
       {
-        const BoundaryCondition *condition = conditions[i].type.get();
         const auto points = some_of(centers[conditions[i].boundary], most_points);
-        if (condition->acts_on_surface())
-          for (const Expression &expression : condition->expressions())
+        if (conditions[i].surface_term() != nullptr)
+          for (const Expression &expression : conditions[i].type->expressions())
             {
               LoadCurve curve;
               curve.what = "'" + expression.parameter() + "'";
@@ -262,9 +296,9 @@ namespace lumbricus
                 });
               curves.push_back(curve);
             }
-        const auto prescribed = condition->prescribed_components();
+        const auto *condition = conditions[i].prescribed_displacement();
         for (unsigned int c = 0; c < dim; ++c)
-          if (prescribed[c])
+          if (condition != nullptr && condition->components()[c])
             {
               LoadCurve curve;
               curve.what = "the displacement of '" + section + "/" +
@@ -272,7 +306,7 @@ namespace lumbricus
               curve.where = std::string(" along ") + "xyz"[c];
               for (const dealii::Point<dim> &X : points)
                 curve.values.push_back([condition, c, X](const double t) {
-                  return condition->prescribed_displacement(c, X, t);
+                  return condition->value(c, X, t);
                 });
               curves.push_back(curve);
             }
@@ -282,14 +316,20 @@ namespace lumbricus
 
 
 
-  std::vector<const BoundaryCondition *>
-  BoundaryConditions::on_boundary(const dealii::types::boundary_id id) const
+  const std::vector<unsigned int> &
+  BoundaryConditions::surface_terms_on(
+    const dealii::types::boundary_id id) const
   {
-    std::vector<const BoundaryCondition *> found;
-    for (unsigned int i = 0; i < conditions.size(); ++i)
-      if (conditions[i].boundary == id)
-        found.push_back(&*conditions[i].type);
-    return found;
+    return at_boundary(surface_terms, id);
+  }
+
+
+
+  const std::vector<unsigned int> &
+  BoundaryConditions::prescribed_displacements_on(
+    const dealii::types::boundary_id id) const
+  {
+    return at_boundary(prescribed_displacements, id);
   }
 
 
@@ -305,9 +345,10 @@ namespace lumbricus
   bool
   BoundaryConditions::symmetric() const
   {
-    for (unsigned int i = 0; i < conditions.size(); ++i)
-      if (!conditions[i].type->symmetric())
-        return false;
+    for (const auto &[boundary, numbers] : surface_terms)
+      for (const unsigned int i : numbers)
+        if (!conditions[i].surface_term()->symmetric())
+          return false;
     return true;
   }
 } // namespace lumbricus

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_discretization_surface_terms_h
+#define lumbricus_discretization_surface_terms_h
+
+#include <lumbricus/core/load_time.h>
+#include <lumbricus/core/state.h>
+#include <lumbricus/discretization/surface_kernel.h>
+#include <lumbricus/terms/boundary_conditions.h>
+
+#include <array>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace lumbricus
+{
+  /**
+   * Every SurfaceTerm on the mesh: T and its derivatives at the points of the
+   * boundary, where what the skin remembers is that of a State.
+   */
+  class SurfaceTerms
+  {
+  public:
+    /** Called with the number of a condition, and its response. */
+    using Listener =
+      std::function<void(const unsigned int, const SurfaceResponse &)>;
+
+    /** Both are kept by reference. */
+    SurfaceTerms(const MixedSpace         &space,
+                 const BoundaryConditions &conditions);
+
+    /** After every change of the mesh: remember nothing. set_to() has to
+     * follow. */
+    void
+    reinit();
+
+    /** Remember what the skin does in @p state. */
+    void
+    set_to(const State &state);
+
+    /** Whether all of them keep the matrix symmetric. */
+    bool
+    symmetric() const;
+
+    /** The names of the histories that a state has to have for this. */
+    std::set<std::string>
+    histories() const;
+
+    /** The load step that ended with @p state is complete: let the skin remember
+     * what it has to, and the time. Collective. */
+    void
+    end_step(State &state) const;
+
+    /**
+     * Call @p listener at the quadrature points of all faces at the boundary of
+     * @p cell, owned cell @p i, for every term that acts there, at the
+     * displacements @p u, [i][n], and time @p t. point() is there then.
+     */
+    void
+    visit(const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+          const unsigned int                                   i,
+          const double (&u)[dim][ShapeCache::padded_nodes],
+          const LoadTime &t,
+          const Listener &listener);
+
+    /** Where the listener is called, with the nodes around. */
+    const SurfaceKernel &
+    point() const;
+
+  private:
+    /** What the nodes of a cell remember: [n]. */
+    using AtNodes =
+      std::array<dealii::Tensor<1, dim>, MixedSpace::n_nodes>;
+
+    /** Call @p function(cell, i, numbers) for all owned cells at the boundary
+     * with the conditions there that remember, if any. */
+    template <typename Function>
+    void
+    for_each_memory(const Function &function) const;
+
+    /** How the State calls what condition @p i remembers. */
+    std::string
+    history_of(const unsigned int i) const;
+
+    const MixedSpace         &space;
+    const BoundaryConditions &conditions;
+
+    SurfaceKernel  inside; ///< at points of Gauss
+    SurfaceKernel  at_nodes;
+    SurfaceKernel *current = &inside;
+
+    /** When the last load step ended. */
+    double last_time = 0.;
+    /** By the numbers of conditions and of owned cells. */
+    std::map<std::pair<unsigned int, unsigned int>, AtNodes> memories;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/nodal_history.h>
+#include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/discretization/surface_terms.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/grid/filtered_iterator.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace lumbricus
+{
+  namespace
+  {
+    // The node of the cell that the point is at.
+    unsigned int
+    node_of(const SurfaceKernel &point)
+    {
+      const auto largest =
+        std::max_element(std::begin(point.values), std::end(point.values));
+      Assert(*largest > 1. - 1e-10, dealii::ExcInternalError());
+      return largest - std::begin(point.values);
+    }
+  } // namespace
+
+
+
+  SurfaceTerms::SurfaceTerms(const MixedSpace         &space,
+                             const BoundaryConditions &conditions)
+    : space(space)
+    , conditions(conditions)
+    , inside(space, space.face_quadrature)
+    , at_nodes(space, dealii::QGaussLobatto<dim - 1>(MixedSpace::degree + 1))
+  {}
+
+
+
+  void
+  SurfaceTerms::reinit()
+  {
+    memories.clear();
+  }
+
+
+
+  void
+  SurfaceTerms::set_to(const State &state)
+  {
+    last_time = state.last_time;
+    memories.clear();
+    std::vector<dealii::types::global_dof_index> indices(
+      space.rest_fe.n_dofs_per_cell());
+    for_each_memory([&](const auto        &cell,
+                        const unsigned int i,
+                        const auto        &numbers) {
+      same_cell(cell, space.rest_dof_handler)->get_dof_indices(indices);
+      for (const unsigned int number : numbers)
+        {
+          const Vector &history = state.histories.at(history_of(number));
+          AtNodes      &nodes   = memories[{number, i}];
+          for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+            for (unsigned int c = 0; c < dim; ++c)
+              nodes[n][c] = history(indices[space.rest_dof[c][n]]);
+        }
+    });
+  }
+
+
+
+  bool
+  SurfaceTerms::symmetric() const
+  {
+    return conditions.symmetric();
+  }
+
+
+
+  std::set<std::string>
+  SurfaceTerms::histories() const
+  {
+    std::set<std::string> names;
+    for (unsigned int i = 0; i < conditions.n_conditions(); ++i)
+      {
+        const auto *term = conditions.condition(i).surface_term();
+        if (term != nullptr && term->remembers())
+          names.insert(history_of(i));
+      }
+    return names;
+  }
+
+
+
+  void
+  SurfaceTerms::end_step(State &state) const
+  {
+    const double dt = state.time - state.last_time;
+    state.last_time = state.time;
+    if (histories().empty())
+      return;
+
+    const Vector relevant = space.with_ghosts(state.solution);
+    std::vector<dealii::types::global_dof_index> indices(
+      space.fe.n_dofs_per_cell()),
+      rest_indices(space.rest_fe.n_dofs_per_cell());
+    for_each_memory([&](const auto &cell,
+                        const unsigned int /*i*/,
+                        const auto &numbers) {
+      cell->get_dof_indices(indices);
+      same_cell(cell, space.rest_dof_handler)->get_dof_indices(rest_indices);
+      for (const unsigned int number : numbers)
+        {
+          const NamedCondition &condition = conditions.condition(number);
+          Vector &history = state.histories.at(history_of(number));
+          for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+            {
+              const auto is_on = [&](const unsigned int f) {
+                return cell->at_boundary(f) &&
+                       cell->face(f)->boundary_id() == condition.boundary &&
+                       space.fe.has_support_on_face(
+                         space.displacement_dof[0][n], f);
+              };
+              const auto faces = cell->face_indices();
+              if (std::none_of(faces.begin(), faces.end(), is_on))
+                continue;
+              SurfacePoint point;
+              point.X = space.mapping.transform_unit_to_real_cell(
+                mesh_cell(cell),
+                space.fe.unit_support_point(space.displacement_dof[0][n]));
+              point.t  = state.time;
+              point.dt = dt;
+              for (unsigned int c = 0; c < dim; ++c)
+                {
+                  point.u[c] = relevant(indices[space.displacement_dof[c][n]]);
+                  point.history[c] = history(rest_indices[space.rest_dof[c][n]]);
+                }
+              dealii::Tensor<1, dim> changed = point.history;
+              condition.surface_term()->remember(point, changed);
+              for (unsigned int c = 0; c < dim; ++c)
+                history(rest_indices[space.rest_dof[c][n]]) = changed[c];
+            }
+        }
+    });
+    state.compress();
+  }
+
+
+
+  void
+  SurfaceTerms::visit(
+    const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+    const unsigned int                                   i,
+    const double (&u)[dim][ShapeCache::padded_nodes],
+    const LoadTime &t,
+    const Listener &listener)
+  {
+    for (const unsigned int f : cell->face_indices())
+      {
+        if (!cell->at_boundary(f))
+          continue;
+        for (const unsigned int number :
+             conditions.surface_terms_on(cell->face(f)->boundary_id()))
+          {
+            const SurfaceTerm &term =
+              *conditions.condition(number).surface_term();
+            const AtNodes *memory =
+              term.remembers() ? &memories.at({number, i}) : nullptr;
+            current = memory == nullptr ? &inside : &at_nodes;
+            current->reinit(cell, f);
+            for (unsigned int q = 0; q < current->n_points(); ++q)
+              {
+                current->set(q, u);
+                SurfacePoint at{
+                  current->X, current->N, current->u, current->F, t, 0., {}};
+                at.dt = std::max(t.to() - last_time, 0.);
+                if (memory != nullptr)
+                  at.history = (*memory)[node_of(*current)];
+                SurfaceResponse response;
+                term.surface(at, response);
+                listener(number, response);
+              }
+          }
+      }
+  }
+
+
+
+  const SurfaceKernel &
+  SurfaceTerms::point() const
+  {
+    return *current;
+  }
+
+
+
+  template <typename Function>
+  void
+  SurfaceTerms::for_each_memory(const Function &function) const
+  {
+    if (histories().empty())
+      return;
+    unsigned int cell_index = 0;
+    for (const auto &cell : space.dof_handler.active_cell_iterators() |
+                              dealii::IteratorFilters::LocallyOwnedCell())
+      {
+        const unsigned int     i = cell_index++;
+        std::set<unsigned int> numbers;
+        for (const unsigned int f : cell->face_indices())
+          if (cell->at_boundary(f))
+            for (const unsigned int number :
+                 conditions.surface_terms_on(cell->face(f)->boundary_id()))
+              if (conditions.condition(number).surface_term()->remembers())
+                numbers.insert(number);
+        if (!numbers.empty())
+          function(cell, i, numbers);
+      }
+  }
+
+
+
+  std::string
+  SurfaceTerms::history_of(const unsigned int i) const
+  {
+    return NodalHistory::of_boundary(conditions.condition(i).name);
+  }
+} // namespace lumbricus
