@@ -55,9 +55,7 @@ namespace lumbricus
    * minimal support holds. @p references have to be up to date. Collective.
    */
   std::vector<ExternalForce>
-  external_forces(const MixedSpace         &space,
-                  const ShapeCache         &shapes,
-                  const Anatomy            &anatomy,
+  external_forces(const Body               &body,
                   const BoundaryConditions &conditions,
                   const ReferenceField     &references,
                   const Supports           &supports,
