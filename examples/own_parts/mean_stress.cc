@@ -41,7 +41,8 @@ namespace
       });
       // Every rank has seen its own cells.
       for (double &sum : sums)
-        sum = dealii::Utilities::MPI::sum(sum, context.space.communicator());
+        sum =
+          dealii::Utilities::MPI::sum(sum, context.body.space.communicator());
 
       rows << context.step.number << context.state.time << sums[0];
       for (unsigned int d = 0; d < dim; ++d)

@@ -6,7 +6,6 @@
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_update_flags.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/meshworker/assemble_flags.h>
 #include <deal.II/meshworker/mesh_loop.h>
 
@@ -33,12 +32,9 @@ namespace lumbricus
     class FluxOnCell
     {
     public:
-      FluxOnCell(const ErrorEstimator &estimator,
-                 const CellFields     &fields,
-                 const Anatomy        &anatomy)
+      FluxOnCell(const ErrorEstimator &estimator, const CellFields &fields)
         : estimator(estimator)
         , fields(fields)
-        , anatomy(anatomy)
         , fe(fields.dof_handler().get_fe())
         , displacement(fields.components(displacement_name))
         , stress(fields.components(stress_name))
@@ -57,6 +53,7 @@ namespace lumbricus
               for (unsigned int j = 0; j < dim; ++j)
                 sigma[n][i][j] = value(stress[dim * i + j], n);
           }
+        const Anatomy &anatomy = fields.body.anatomy;
         mu = anatomy.tissue(tissue(cell)).law().shear_modulus();
       }
 
@@ -87,7 +84,6 @@ namespace lumbricus
 
       const ErrorEstimator             &estimator;
       const CellFields                 &fields;
-      const Anatomy                    &anatomy;
       const dealii::FiniteElement<dim> &fe;
 
       // Their components.
@@ -195,8 +191,7 @@ namespace lumbricus
                                     dealii::update_gradients |
                                     dealii::update_JxW_values);
       double                sum = 0.;
-      for (const auto &cell : space.triangulation.active_cell_iterators() |
-                                dealii::IteratorFilters::LocallyOwnedCell())
+      for (const auto &cell : space.owned_cells())
         {
           shape.reinit(mesh_cell(cell));
           flux.reinit(cell);
@@ -218,13 +213,11 @@ namespace lumbricus
 
 
   ErrorEstimate
-  estimate_errors(const ErrorEstimator &estimator,
-                  const CellFields     &fields,
-                  const MixedSpace     &space,
-                  const Anatomy        &anatomy)
+  estimate_errors(const ErrorEstimator &estimator, const CellFields &fields)
   {
+    const MixedSpace         &space = fields.body.space;
     const dealii::FE_DGQ<dim> scalar(MixedSpace::degree);
-    const FluxOnCell          flux(estimator, fields, anatomy);
+    const FluxOnCell          flux(estimator, fields);
 
     const bool between_tissues = estimator.continuous_between_tissues();
 
@@ -283,8 +276,7 @@ namespace lumbricus
 
     ErrorEstimate estimate;
     double        sums[2] = {0., norm_square(flux, space, scalar)};
-    for (const auto &cell : space.triangulation.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const auto &cell : space.owned_cells())
       {
         estimate.eta_squared.push_back(
           of_active_cell[cell->active_cell_index()]);

@@ -8,7 +8,6 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgp.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>
 
@@ -113,8 +112,7 @@ namespace lumbricus
     {
       std::vector<Values> values(space.triangulation.n_active_cells());
       CellStateReader     reader(space, state);
-      for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                                dealii::IteratorFilters::LocallyOwnedCell())
+      for (const auto &cell : space.owned_cells())
         reader.read(cell, values[cell->active_cell_index()]);
       return values;
     }
@@ -128,8 +126,7 @@ namespace lumbricus
     {
       state = space.zero_state(state.outline());
       CellStateWriter writer(space, state);
-      for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                                dealii::IteratorFilters::LocallyOwnedCell())
+      for (const auto &cell : space.owned_cells())
         writer.write(cell, values[cell->active_cell_index()]);
       state.compress();
     }

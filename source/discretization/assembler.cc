@@ -2,8 +2,6 @@
 #include <lumbricus/discretization/assembler.h>
 #include <lumbricus/discretization/cell_sizes.h>
 
-#include <deal.II/grid/filtered_iterator.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,22 +16,18 @@ namespace lumbricus
 
 
 
-  Assembler::Assembler(const MixedSpace         &space,
-                       const ShapeCache         &shapes,
-                       const Anatomy            &anatomy,
-                       SurfaceTerms             &terms,
-                       const ReferenceField     &references,
-                       const Supports           &supports)
-    : space(space)
-    , shapes(shapes)
-    , anatomy(anatomy)
+  Assembler::Assembler(const Body           &body,
+                       SurfaceTerms         &terms,
+                       const ReferenceField &references,
+                       const Supports       &supports)
+    : body(body)
     , terms(terms)
     , references(references)
     , supports(supports)
-    , unknowns(space)
-    , linearisation(space, shapes, unknowns)
+    , unknowns(body.space)
+    , linearisation(body.space, body.shapes, unknowns)
     , kernel(std::make_unique<ElementKernel>())
-    , surface(space)
+    , surface(body.space)
   {}
 
 
@@ -43,7 +37,7 @@ namespace lumbricus
   {
     unknowns.reinit(supports.constraints());
     linearisation.reinit();
-    rounding.reinit(shapes);
+    rounding.reinit(body.shapes);
     linearisation.symmetric = terms.symmetric();
     for (CellVector *x : {&u, &sum, &rhs})
       unknowns.reinit_vector(*x);
@@ -111,29 +105,25 @@ namespace lumbricus
     rounding.clear();
     Report report;
     report.min_J              = std::numeric_limits<double>::max();
-    double       force_square = 0.;
-    unsigned int cell_index   = 0;
-    double       values[n_per_cell], change[n_per_cell];
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    double force_square = 0.;
+    double values[n_per_cell], change[n_per_cell];
+    for (const OwnedCell cell : body.owned_cells())
       {
-        const unsigned int i      = cell_index++;
-        const Region       region = Region::of(cell->material_id());
-        const Tissue      &tissue = anatomy.tissue(region.tissue);
-        const double       mu     = tissue.law().shear_modulus();
+        const unsigned int i  = cell.index;
+        const double       mu = cell.tissue.law().shear_modulus();
 
         unknowns.read(i, u, values);
         kernel->set(values);
         const double min_J =
-          kernel->evaluate(shapes.cell(i),
-                           shapes.pressure_modes(),
-                           tissue,
+          kernel->evaluate(body.shapes.cell(i),
+                           body.shapes.pressure_modes(),
+                           cell.tissue,
                            references.cell(i),
                            with_tangent ? &linearisation.cell(i) : nullptr);
         if (!(min_J >= report.min_J))
           {
             report.min_J         = min_J;
-            report.min_J_segment = region.segment;
+            report.min_J_segment = cell.region.segment;
           }
         if (!(min_J > 0.))
           continue;
@@ -143,18 +133,18 @@ namespace lumbricus
             force_square += kernel->force[c][n] * kernel->force[c][n];
         rounding.add(i,
                      *kernel,
-                     shapes.pressure_modes(),
+                     body.shapes.pressure_modes(),
                      mu,
                      references.cell(i));
         kernel->get_residual(values);
-        if (cell->at_boundary())
-          add_surface_terms(cell, i, t, with_tangent, values);
+        if (cell.iterator->at_boundary())
+          add_surface_terms(cell, t, with_tangent, values);
 
         if (with_tangent)
           {
             // What is prescribed and still missing pulls at the free unknowns.
             linearisation.shear_modulus[i] = mu;
-            add_interface_tangent(cell, i);
+            add_interface_tangent(cell);
             double missing[n_per_cell];
             if (unknowns.read_inhomogeneity(i, missing))
               {
@@ -167,7 +157,7 @@ namespace lumbricus
       }
     sum.compress(dealii::VectorOperation::add);
 
-    const auto comm = space.communicator();
+    const auto comm = body.space.communicator();
     double     sums[] = {force_square,
                          rounding.force_square(),
                          rounding.volume()};
@@ -187,12 +177,10 @@ namespace lumbricus
 
 
   void
-  Assembler::add_surface_terms(
-    const dealii::DoFHandler<dim>::active_cell_iterator &cell,
-    const unsigned int                                   i,
-    const LoadTime                                      &t,
-    const bool                                           with_tangent,
-    double                                              *residual)
+  Assembler::add_surface_terms(const OwnedCell &cell,
+                               const LoadTime  &t,
+                               const bool       with_tangent,
+                               double          *residual)
   {
     const auto add = [&](const unsigned int /*condition*/,
                          const SurfaceResponse &response) {
@@ -204,7 +192,7 @@ namespace lumbricus
             w * point.values[n] * response.T[c];
       if (!with_tangent || !response.depends_on_shape())
         return;
-      auto &matrix = linearisation.surface_matrix(i);
+      auto &matrix = linearisation.surface_matrix(cell.index);
       for (unsigned int c = 0; c < dim; ++c)
         for (unsigned int k = 0; k < dim; ++k)
           for (unsigned int m = 0; m < n_nodes; ++m)
@@ -217,22 +205,20 @@ namespace lumbricus
                   w * point.values[n] * dT;
             }
     };
-    terms.visit(cell, i, kernel->u, t, add);
+    terms.visit(cell, kernel->u, t, add);
   }
 
 
 
   void
-  Assembler::add_interface_tangent(
-    const dealii::DoFHandler<dim>::active_cell_iterator &cell,
-    const unsigned int                                   i)
+  Assembler::add_interface_tangent(const OwnedCell &cell)
   {
-    for (const unsigned int f : cell->face_indices())
+    for (const unsigned int f : cell.iterator->face_indices())
       {
-        if (!supports.is_sliding_face(cell, f))
+        if (!supports.is_sliding_face(cell.iterator, f))
           continue;
-        surface.reinit(cell, f);
-        auto &matrix = linearisation.surface_matrix(i);
+        surface.reinit(cell.iterator, f);
+        auto &matrix = linearisation.surface_matrix(cell.index);
         for (unsigned int q = 0; q < surface.n_points(); ++q)
           {
             surface.set(q, kernel->u);

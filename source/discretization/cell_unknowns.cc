@@ -2,7 +2,6 @@
 #include <lumbricus/discretization/cell_unknowns.h>
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
 
@@ -24,8 +23,7 @@ namespace lumbricus
   {
     std::vector<Index> of_cells;
     std::vector<Index> indices(n_per_cell);
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const auto &cell : space.owned_cells())
       {
         cell->get_dof_indices(indices);
         const std::size_t begin = of_cells.size();

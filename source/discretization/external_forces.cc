@@ -2,7 +2,6 @@
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/external_forces.h>
 
-#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
@@ -90,9 +89,7 @@ namespace lumbricus
 
 
   std::vector<ExternalForce>
-  external_forces(const MixedSpace         &space,
-                  const ShapeCache         &shapes,
-                  const Anatomy            &anatomy,
+  external_forces(const Body               &body,
                   const BoundaryConditions &conditions,
                   SurfaceTerms             &terms,
                   const ReferenceField     &references,
@@ -100,9 +97,12 @@ namespace lumbricus
                   const Vector             &solution,
                   const double              t)
   {
-    auto all = everything_that_acts(anatomy.geometry(), conditions, supports);
+    const MixedSpace &space    = body.space;
+    const ShapeCache &shapes   = body.shapes;
+    const Geometry   &geometry = body.anatomy.geometry();
+    auto all = everything_that_acts(geometry, conditions, supports);
     const unsigned int n_conditions = conditions.n_conditions();
-    const unsigned int n_planes = anatomy.geometry().symmetry_planes().size();
+    const unsigned int n_planes     = geometry.symmetry_planes().size();
 
     const Vector      relevant = space.with_ghosts(solution);
     const auto        links    = supports.links();
@@ -115,37 +115,32 @@ namespace lumbricus
     dealii::Vector<double> of_cell(n_dofs);
     std::vector<dealii::types::global_dof_index> indices(n_dofs);
     ElementKernel                                kernel;
-    unsigned int cell_index = 0;
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const OwnedCell cell : body.owned_cells())
       {
-        const unsigned int i = cell_index++;
-        cell->get_dof_indices(indices);
+        cell.iterator->get_dof_indices(indices);
         const bool supported =
           std::any_of(indices.begin(), indices.end(), [&](const auto index) {
             return held[space.locally_relevant.index_within_set(index)] ||
                    links.is_constrained(index);
           });
-        if (!supported && !cell->at_boundary())
+        if (!supported && !cell.iterator->at_boundary())
           continue;
 
-        kernel.read(space, cell, relevant, indices);
+        kernel.read(space, cell.iterator, relevant, indices);
         of_cell = 0.;
         if (supported)
           {
-            kernel.evaluate(
-              shapes.cell(i),
-              shapes.pressure_modes(),
-              anatomy.tissue(Region::of(cell->material_id()).tissue),
-              references.cell(i),
-              nullptr);
+            kernel.evaluate(shapes.cell(cell.index),
+                            shapes.pressure_modes(),
+                            cell.tissue,
+                            references.cell(cell.index),
+                            nullptr);
             for (unsigned int c = 0; c < dim; ++c)
               for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
                 of_cell(space.displacement_dof[c][n]) = kernel.force[c][n];
           }
         terms.visit(
           cell,
-          i,
           kernel.u,
           t,
           [&](const unsigned int condition, const SurfaceResponse &response) {

@@ -3,7 +3,6 @@
 #include <lumbricus/discretization/mesh_quality.h>
 
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,33 +77,27 @@ namespace lumbricus
 
 
   std::vector<MeshQuality>
-  mesh_qualities(const MixedSpace &space,
-                 const ShapeCache &shapes,
-                 const Anatomy    &anatomy,
-                 const Vector     *relevant_solution)
+  mesh_qualities(const Body &body, const Vector *relevant_solution)
   {
-    std::vector<MeshQuality> qualities(anatomy.geometry().n_segments());
+    const MixedSpace        &space = body.space;
+    std::vector<MeshQuality> qualities(body.anatomy.geometry().n_segments());
     std::vector<dealii::types::global_dof_index> indices(
       space.fe.n_dofs_per_cell());
     NodePositions x;
-    unsigned int  cell_index = 0;
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const OwnedCell cell : body.owned_cells())
       {
-        const unsigned int i = cell_index++;
-        cell->get_dof_indices(indices);
+        cell.iterator->get_dof_indices(indices);
         for (unsigned int n = 0; n < n_nodes; ++n)
           {
-            x[n] = shapes.node(i, n);
+            x[n] = body.shapes.node(cell.index, n);
             if (relevant_solution != nullptr)
               for (unsigned int c = 0; c < dim; ++c)
                 x[n][c] +=
                   (*relevant_solution)(indices[space.displacement_dof[c][n]]);
           }
-        const Region region = Region::of(cell->material_id());
-        MeshQuality &of     = qualities[region.segment];
-        double &least = anatomy.is_liquid(region.tissue) ? of.liquid : of.wall;
-        least         = std::min(least, scaled_jacobian(x));
+        MeshQuality &of    = qualities[cell.region.segment];
+        double      &least = cell.is_liquid ? of.liquid : of.wall;
+        least              = std::min(least, scaled_jacobian(x));
       }
 
     std::vector<double> worst;

@@ -9,7 +9,6 @@
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_tools.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <string>
 
@@ -90,8 +89,7 @@ namespace lumbricus
       });
     if (separate)
       {
-        for (const auto &cell : dof_handler.active_cell_iterators() |
-                                  dealii::IteratorFilters::LocallyOwnedCell())
+        for (const auto &cell : owned_cells())
           cell->set_active_fe_index(separate(cell->material_id()));
         dof_handler.distribute_dofs(separate_fes);
       }
@@ -146,6 +144,16 @@ namespace lumbricus
     Vector relevant(locally_owned, locally_relevant, communicator());
     relevant = solution;
     return relevant;
+  }
+
+
+
+  dealii::IteratorRange<
+    dealii::FilteredIterator<dealii::DoFHandler<dim>::active_cell_iterator>>
+  MixedSpace::owned_cells() const
+  {
+    return dof_handler.active_cell_iterators() |
+           dealii::IteratorFilters::LocallyOwnedCell();
   }
 
 

@@ -2,8 +2,7 @@
 #include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/reference_field.h>
-
-#include <deal.II/grid/filtered_iterator.h>
+#include <lumbricus/discretization/same_cell.h>
 
 namespace lumbricus
 {
@@ -11,36 +10,30 @@ namespace lumbricus
   {
     using cell_sizes::n_q;
 
-    // Call function(owned_index, region) for all owned cells; an ExcInput on
-    // one rank is thrown on all.
+    // Call function(cell) for all owned cells; an ExcInput on one rank is
+    // thrown on all.
     template <typename Function>
     void
-    for_each_region(const MixedSpace &space, const Function &function)
+    for_each_cell(const Body &body, const Function &function)
     {
       std::string message;
       try
         {
-          unsigned int index = 0;
-          for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                                    dealii::IteratorFilters::LocallyOwnedCell())
-            function(index++, Region::of(cell->material_id()));
+          for (const OwnedCell cell : body.owned_cells())
+            function(cell);
         }
       catch (const ExcInput &exception)
         {
           message = plain_message(exception);
         }
-      throw_on_all_ranks<ExcInput>(message, space.communicator());
+      throw_on_all_ranks<ExcInput>(message, body.space.communicator());
     }
   } // namespace
 
 
 
-  ReferenceField::ReferenceField(const MixedSpace &space,
-                                 const ShapeCache &shapes,
-                                 const Anatomy    &anatomy)
-    : space(space)
-    , shapes(shapes)
-    , anatomy(anatomy)
+  ReferenceField::ReferenceField(const Body &body)
+    : body(body)
   {}
 
 
@@ -48,13 +41,14 @@ namespace lumbricus
   void
   ReferenceField::reinit()
   {
-    points.assign(shapes.n_owned_cells() * n_q, MaterialPoint());
+    points.assign(body.shapes.n_owned_cells() * n_q, MaterialPoint());
 
-    for_each_region(space, [&](const unsigned int i, const Region region) {
+    for_each_cell(body, [&](const OwnedCell &cell) {
       for (unsigned int q = 0; q < n_q; ++q)
-        for (const Muscle *muscle : anatomy.muscles_of(region.tissue))
-          points[i * n_q + q].fibres.push_back(
-            {muscle->fibre_direction(shapes.quadrature_point(i, q)),
+        for (const Muscle *muscle : cell.tissue.muscles())
+          points[cell.index * n_q + q].fibres.push_back(
+            {muscle->fibre_direction(
+               body.shapes.quadrature_point(cell.index, q)),
              muscle->action().at_rest()});
     });
   }
@@ -64,20 +58,20 @@ namespace lumbricus
   void
   ReferenceField::update_muscles(const LoadTime &t)
   {
-    for_each_region(space, [&](const unsigned int i, const Region region) {
-      const Tissue &tissue  = anatomy.tissue(region.tissue);
-      const auto   &muscles = tissue.muscles();
+    for_each_cell(body, [&](const OwnedCell &cell) {
+      const auto &muscles = cell.tissue.muscles();
       if (muscles.empty())
         return;
       for (unsigned int q = 0; q < n_q; ++q)
         {
-          MaterialPoint &point = points[i * n_q + q];
+          MaterialPoint &point = points[cell.index * n_q + q];
           for (unsigned int k = 0; k < muscles.size(); ++k)
             point.fibres[k].activation =
               muscles[k]->activation(t,
-                                     region.segment + 1,
-                                     shapes.quadrature_point(i, q));
-          point.reference = tissue.reference_map(point.fibres);
+                                     cell.region.segment + 1,
+                                     body.shapes.quadrature_point(cell.index,
+                                                                  q));
+          point.reference = cell.tissue.reference_map(point.fibres);
         }
     });
   }
@@ -90,16 +84,15 @@ namespace lumbricus
     const Vector &u_ref = rest_displacement.in(state);
     const Vector &u_vol = volume_displacement.in(state);
     ElementKernel                                rest, volume;
+    const MixedSpace                            &space = body.space;
     std::vector<dealii::types::global_dof_index> indices(
       space.rest_fe.n_dofs_per_cell());
-    unsigned int index = 0;
-    for (const auto &cell : space.rest_dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const OwnedCell cell : body.owned_cells())
       {
-        const unsigned int i = index++;
-        if (!anatomy.is_liquid(Region::of(cell->material_id()).tissue))
+        if (!cell.is_liquid)
           continue;
-        cell->get_dof_indices(indices);
+        same_cell(cell.iterator, space.rest_dof_handler)
+          ->get_dof_indices(indices);
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
             {
@@ -107,10 +100,11 @@ namespace lumbricus
               rest.u[c][n]     = u_ref[index];
               volume.u[c][n]   = u_vol[index];
             }
-        rest.compute_deformation(shapes.cell(i));
-        volume.compute_deformation(shapes.cell(i));
+        const ShapeCache::Cell shape = body.shapes.cell(cell.index);
+        rest.compute_deformation(shape);
+        volume.compute_deformation(shape);
         for (unsigned int q = 0; q < n_q; ++q)
-          points[i * n_q + q].reference =
+          points[cell.index * n_q + q].reference =
             rest_shape_map(rest.F[q], volume.F[q]);
       }
   }

@@ -4,7 +4,6 @@
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <cmath>
 #include <limits>
@@ -51,15 +50,14 @@ namespace lumbricus
 
 
   std::vector<SectionMeasures>
-  section_measures(const MixedSpace &space,
-                   const Anatomy    &anatomy,
-                   const Vector     &relevant_solution)
+  section_measures(const Body &body, const Vector &relevant_solution)
   {
-    const Geometry &geometry   = anatomy.geometry();
-    const auto      sections   = geometry.sections();
-    const auto      tissues    = geometry.tissues();
-    const double    tolerance  = 1e-9 * geometry.characteristic_length();
-    const bool      has_liquid = anatomy.has_liquid();
+    const MixedSpace &space      = body.space;
+    const Geometry   &geometry   = body.anatomy.geometry();
+    const auto        sections   = geometry.sections();
+    const auto        tissues    = geometry.tissues();
+    const double      tolerance  = 1e-9 * geometry.characteristic_length();
+    const bool        has_liquid = body.anatomy.has_liquid();
 
     dealii::FEFaceValues<dim> face_values(space.mapping,
                                           space.fe,
@@ -76,15 +74,13 @@ namespace lumbricus
     std::vector<dealii::Tensor<2, dim>> grad_u(space.face_quadrature.size());
 
     std::vector<Sums> sums(sections.size());
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const OwnedCell cell : body.owned_cells())
       {
-        const Region           region  = Region::of(cell->material_id());
-        const SegmentSections &section = sections[region.segment];
-        Sums                  &sum     = sums[region.segment];
-        const bool             wall    = tissues[region.tissue].wall_layer;
-        const bool middle = tissues[region.tissue].liquid == has_liquid;
-        for (const auto &face : cell->face_iterators())
+        const SegmentSections &section = sections[cell.region.segment];
+        Sums                  &sum     = sums[cell.region.segment];
+        const bool             wall    = tissues[cell.region.tissue].wall_layer;
+        const bool             middle  = cell.is_liquid == has_liquid;
+        for (const auto &face : cell.iterator->face_iterators())
           {
             const double x  = face->center()[0];
             const auto   at = [&](const double plane) {
@@ -93,12 +89,12 @@ namespace lumbricus
             const bool at_begin  = wall && at(section.begin);
             const bool at_end    = wall && at(section.end);
             const bool at_middle = middle && at(section.middle) &&
-                                   cell->center()[0] < section.middle;
+                                   cell.iterator->center()[0] < section.middle;
             if (!at_begin && !at_end && !at_middle)
               continue;
 
-            face_values.reinit(mesh_cell(cell), face);
-            cell->get_dof_indices(indices);
+            face_values.reinit(mesh_cell(cell.iterator), face);
+            cell.iterator->get_dof_indices(indices);
             for (unsigned int i = 0; i < n_dofs; ++i)
               cell_solution[i] = relevant_solution(indices[i]);
             const auto &displacement = face_values[space.displacement];

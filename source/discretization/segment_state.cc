@@ -3,8 +3,6 @@
 #include <lumbricus/discretization/segment_state.h>
 #include <lumbricus/materials/cauchy_stress.h>
 
-#include <deal.II/grid/filtered_iterator.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -30,43 +28,39 @@ namespace lumbricus
 
 
   std::vector<SegmentState>
-  segment_states(const MixedSpace     &space,
-                 const ShapeCache     &shapes,
-                 const Anatomy        &anatomy,
+  segment_states(const Body           &body,
                  const ReferenceField &references,
                  const Vector         &relevant_solution)
   {
-    std::vector<SegmentState> states(anatomy.geometry().n_segments());
+    const MixedSpace         &space    = body.space;
+    const ShapeCache         &shapes   = body.shapes;
+    const Geometry           &geometry = body.anatomy.geometry();
+    std::vector<SegmentState> states(geometry.n_segments());
     ElementKernel             kernel;
     MaterialResponse          response;
     std::vector<dealii::types::global_dof_index> indices(
       space.fe.n_dofs_per_cell());
-    unsigned int cell_index = 0;
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const OwnedCell cell : body.owned_cells())
       {
-        const unsigned int i      = cell_index++;
-        const Region       region = Region::of(cell->material_id());
-        const Tissue      &tissue = anatomy.tissue(region.tissue);
-        const bool         liquid = anatomy.is_liquid(region.tissue);
-        SegmentState      &state  = states[region.segment];
+        const ShapeCache::Cell shape = shapes.cell(cell.index);
+        SegmentState          &state = states[cell.region.segment];
 
-        kernel.read(space, cell, relevant_solution, indices);
-        kernel.compute_deformation(shapes.cell(i));
+        kernel.read(space, cell.iterator, relevant_solution, indices);
+        kernel.compute_deformation(shape);
         for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
           {
             const double J  = determinant(kernel.F[q]);
-            const double dV = shapes.cell(i).JxW[q];
-            if (!liquid)
+            const double dV = shape.JxW[q];
+            if (!cell.is_liquid)
               {
                 state.wall_volume += J * dV;
                 continue;
               }
-            tissue.evaluate(kernel.F[q],
-                            kernel.pressure(shapes.pressure_modes(), q),
-                            references.cell(i)[q],
-                            false,
-                            response);
+            cell.tissue.evaluate(kernel.F[q],
+                                 kernel.pressure(shapes.pressure_modes(), q),
+                                 references.cell(cell.index)[q],
+                                 false,
+                                 response);
             const auto   sigma    = cauchy_stress(response.P, kernel.F[q]);
             const double p        = -trace(sigma) / dim;
             const double deviator = dealii::deviator(sigma).norm();
@@ -94,7 +88,7 @@ namespace lumbricus
     dealii::Utilities::MPI::sum(sums, comm, sums);
     dealii::Utilities::MPI::max(maxima, comm, maxima);
 
-    const double whole = anatomy.geometry().symmetry_factor();
+    const double whole = geometry.symmetry_factor();
     for (unsigned int s = 0; s < states.size(); ++s)
       {
         const double *sum          = &sums[5 * s];

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/cell_sizes.h>
+#include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/discretization/shape_cache.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 namespace lumbricus
 {
@@ -39,10 +39,8 @@ namespace lumbricus
   void
   ShapeCache::reinit()
   {
-    const auto owned_cells = space.triangulation.active_cell_iterators() |
-                             dealii::IteratorFilters::LocallyOwnedCell();
     unsigned int n_cells = 0;
-    for (const auto &cell : owned_cells)
+    for (const auto &cell : space.owned_cells())
       {
         (void)cell;
         ++n_cells;
@@ -69,10 +67,10 @@ namespace lumbricus
                                    dealii::Quadrature<dim>(unit_nodes),
                                    dealii::update_quadrature_points);
     unsigned int          i = 0;
-    for (const auto &cell : owned_cells)
+    for (const auto &cell : space.owned_cells())
       {
-        fe_values.reinit(cell);
-        at_nodes.reinit(cell);
+        fe_values.reinit(mesh_cell(cell));
+        at_nodes.reinit(mesh_cell(cell));
         for (unsigned int n = 0; n < n_nodes; ++n)
           nodes[i * n_nodes + n] = at_nodes.quadrature_point(n);
         for (unsigned int q = 0; q < n_q; ++q)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/state_record.h>
 
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +37,7 @@ namespace lumbricus
   {
     CellStateReader     reader(space, state);
     std::vector<double> values;
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const auto &cell : space.owned_cells())
       {
         reader.read(cell, values);
         const CellKey key = cell_key(cell);
@@ -54,8 +52,7 @@ namespace lumbricus
     : writer(space, state)
     , values(writer.layout.size())
   {
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const auto &cell : space.owned_cells())
       missing[cell_key(cell)] = cell;
   }
 

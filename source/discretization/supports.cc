@@ -5,7 +5,6 @@
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -287,8 +286,7 @@ namespace lumbricus
                                           space.face_quadrature,
                                           dealii::update_quadrature_points |
                                             dealii::update_normal_vectors);
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const auto &cell : space.owned_cells())
       for (const auto &face : cell->face_iterators())
         if (face->at_boundary())
           for (const unsigned int i :
@@ -346,8 +344,7 @@ namespace lumbricus
       on_interface.insert(pair.liquid[0]);
 
     std::vector<dealii::Point<dim>> candidates(1);
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const auto &cell : space.owned_cells())
       if (body_of(cell->material_id()) == segment + 1)
         for (const unsigned int v : cell->vertex_indices())
           {

@@ -5,7 +5,6 @@
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
 #include <utility>
@@ -27,12 +26,13 @@ namespace lumbricus
 
 
 
-  SurfaceTerms::SurfaceTerms(const MixedSpace         &space,
+  SurfaceTerms::SurfaceTerms(const Body               &body,
                              const BoundaryConditions &conditions)
-    : space(space)
+    : body(body)
     , conditions(conditions)
-    , inside(space, space.face_quadrature)
-    , at_nodes(space, dealii::QGaussLobatto<dim - 1>(MixedSpace::degree + 1))
+    , inside(body.space)
+    , at_nodes(body.space,
+               dealii::QGaussLobatto<dim - 1>(MixedSpace::degree + 1))
   {}
 
 
@@ -48,18 +48,17 @@ namespace lumbricus
   void
   SurfaceTerms::set_to(const State &state)
   {
-    last_time = state.last_time;
+    const MixedSpace &space = body.space;
+    last_time               = state.last_time;
     memories.clear();
     std::vector<dealii::types::global_dof_index> indices(
       space.rest_fe.n_dofs_per_cell());
-    for_each_memory([&](const auto        &cell,
-                        const unsigned int i,
-                        const auto        &numbers) {
-      same_cell(cell, space.rest_dof_handler)->get_dof_indices(indices);
+    for_each_memory([&](const OwnedCell &cell, const auto &numbers) {
+      same_cell(cell.iterator, space.rest_dof_handler)->get_dof_indices(indices);
       for (const unsigned int number : numbers)
         {
           const Vector &history = state.histories.at(history_of(number));
-          AtNodes      &nodes   = memories[{number, i}];
+          AtNodes      &nodes   = memories[{number, cell.index}];
           for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
             for (unsigned int c = 0; c < dim; ++c)
               nodes[n][c] = history(indices[space.rest_dof[c][n]]);
@@ -100,13 +99,13 @@ namespace lumbricus
     if (histories().empty())
       return;
 
-    const Vector relevant = space.with_ghosts(state.solution);
+    const MixedSpace &space    = body.space;
+    const Vector      relevant = space.with_ghosts(state.solution);
     std::vector<dealii::types::global_dof_index> indices(
       space.fe.n_dofs_per_cell()),
       rest_indices(space.rest_fe.n_dofs_per_cell());
-    for_each_memory([&](const auto &cell,
-                        const unsigned int /*i*/,
-                        const auto &numbers) {
+    for_each_memory([&](const OwnedCell &owned, const auto &numbers) {
+      const auto &cell = owned.iterator;
       cell->get_dof_indices(indices);
       same_cell(cell, space.rest_dof_handler)->get_dof_indices(rest_indices);
       for (const unsigned int number : numbers)
@@ -125,9 +124,7 @@ namespace lumbricus
               if (std::none_of(faces.begin(), faces.end(), is_on))
                 continue;
               SurfacePoint point;
-              point.X = space.mapping.transform_unit_to_real_cell(
-                mesh_cell(cell),
-                space.fe.unit_support_point(space.displacement_dof[0][n]));
+              point.X  = body.shapes.node(owned.index, n);
               point.t  = state.time;
               point.dt = dt;
               for (unsigned int c = 0; c < dim; ++c)
@@ -148,13 +145,12 @@ namespace lumbricus
 
 
   void
-  SurfaceTerms::visit(
-    const dealii::DoFHandler<dim>::active_cell_iterator &cell,
-    const unsigned int                                   i,
-    const double (&u)[dim][ShapeCache::padded_nodes],
-    const LoadTime &t,
-    const Listener &listener)
+  SurfaceTerms::visit(const OwnedCell &owned,
+                      const double (&u)[dim][ShapeCache::padded_nodes],
+                      const LoadTime &t,
+                      const Listener &listener)
   {
+    const auto &cell = owned.iterator;
     for (const unsigned int f : cell->face_indices())
       {
         if (!cell->at_boundary(f))
@@ -165,7 +161,7 @@ namespace lumbricus
             const SurfaceTerm &term =
               *conditions.condition(number).surface_term();
             const AtNodes *memory =
-              term.remembers() ? &memories.at({number, i}) : nullptr;
+              term.remembers() ? &memories.at({number, owned.index}) : nullptr;
             current = memory == nullptr ? &inside : &at_nodes;
             current->reinit(cell, f);
             for (unsigned int q = 0; q < current->n_points(); ++q)
@@ -200,20 +196,17 @@ namespace lumbricus
   {
     if (histories().empty())
       return;
-    unsigned int cell_index = 0;
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const OwnedCell cell : body.owned_cells())
       {
-        const unsigned int     i = cell_index++;
         std::set<unsigned int> numbers;
-        for (const unsigned int f : cell->face_indices())
-          if (cell->at_boundary(f))
+        for (const auto &face : cell.iterator->face_iterators())
+          if (face->at_boundary())
             for (const unsigned int number :
-                 conditions.surface_terms_on(cell->face(f)->boundary_id()))
+                 conditions.surface_terms_on(face->boundary_id()))
               if (conditions.condition(number).surface_term()->remembers())
                 numbers.insert(number);
         if (!numbers.empty())
-          function(cell, i, numbers);
+          function(cell, numbers);
       }
   }
 

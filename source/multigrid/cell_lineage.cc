@@ -4,7 +4,6 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_tools.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +14,7 @@ namespace lumbricus
   cell_lineages(const MixedSpace &space)
   {
     std::vector<CellLineage> cells;
-    for (const auto &active : space.triangulation.active_cell_iterators() |
-                                dealii::IteratorFilters::LocallyOwnedCell())
+    for (const auto &active : space.owned_cells())
       {
         CellLineage line;
         auto        cell = mesh_cell(active);

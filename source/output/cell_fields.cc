@@ -26,16 +26,12 @@ namespace lumbricus
 
 
 
-  CellFields::CellFields(const MixedSpace              &space,
-                         const ShapeCache              &shapes,
-                         const Anatomy                 &anatomy,
+  CellFields::CellFields(const Body                    &body,
                          const ReferenceField          &references,
                          const std::vector<FieldArray> &arrays)
-    : space(space)
-    , shapes(shapes)
-    , anatomy(anatomy)
+    : body(body)
     , references(references)
-    , fields_dof_handler(space.triangulation)
+    , fields_dof_handler(body.space.triangulation)
   {
     for (const FieldArray &array : arrays)
       (array.field->kind() == Field::Kind::scalar_per_cell ? per_cell : nodal)
@@ -45,7 +41,7 @@ namespace lumbricus
     fe = std::make_unique<dealii::FESystem<dim>>(scalar, n_components(nodal));
     projection.reinit(scalar.n_dofs_per_cell(), n_q);
     dealii::FETools::compute_projection_from_quadrature_points_matrix(
-      scalar, space.quadrature, space.quadrature, projection);
+      scalar, body.space.quadrature, body.space.quadrature, projection);
   }
 
 
@@ -57,10 +53,10 @@ namespace lumbricus
     field_values.reinit(fields_dof_handler.locally_owned_dofs(),
                         dealii::DoFTools::extract_locally_relevant_dofs(
                           fields_dof_handler),
-                        space.communicator());
+                        body.space.communicator());
     values_per_cell.assign(per_cell.size(),
                            dealii::Vector<double>(
-                             space.triangulation.n_active_cells()));
+                             body.space.triangulation.n_active_cells()));
   }
 
 
@@ -68,7 +64,8 @@ namespace lumbricus
   void
   CellFields::update(const State &state)
   {
-    Vector owned(fields_dof_handler.locally_owned_dofs(), space.communicator());
+    Vector owned(fields_dof_handler.locally_owned_dofs(),
+                 body.space.communicator());
     std::vector<dealii::types::global_dof_index> indices(fe->n_dofs_per_cell());
     std::vector<std::vector<double>>             values(
       n_q, std::vector<double>(fe->n_components()));
@@ -90,18 +87,17 @@ namespace lumbricus
           owned(indices[k]) = value;
         }
     };
-    visit_points(
-      space, shapes, anatomy, references, state, [&](FieldPoint &point) {
-        double *next = values[point.q].data();
-        for (const FieldArray &array : nodal)
-          {
-            point.muscle = array.muscle;
-            array.field->get(point, next);
-            next += array.field->n_components();
-          }
-        if (point.q + 1 == n_q)
-          finish_cell(point);
-      });
+    visit_points(body, references, state, [&](FieldPoint &point) {
+      double *next = values[point.q].data();
+      for (const FieldArray &array : nodal)
+        {
+          point.muscle = array.muscle;
+          array.field->get(point, next);
+          next += array.field->n_components();
+        }
+      if (point.q + 1 == n_q)
+        finish_cell(point);
+    });
     owned.compress(dealii::VectorOperation::insert);
     field_values = owned;
   }

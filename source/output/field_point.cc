@@ -3,8 +3,6 @@
 #include <lumbricus/materials/cauchy_stress.h>
 #include <lumbricus/output/field_point.h>
 
-#include <deal.II/grid/filtered_iterator.h>
-
 #include <algorithm>
 
 namespace lumbricus
@@ -21,14 +19,14 @@ namespace lumbricus
 
 
   void
-  visit_points(const MixedSpace                        &space,
-               const ShapeCache                        &shapes,
-               const Anatomy                           &anatomy,
+  visit_points(const Body                              &body,
                const ReferenceField                    &references,
                const State                             &state,
                const std::function<void(FieldPoint &)> &visit)
   {
-    const Vector relevant = space.with_ghosts(state.solution);
+    const MixedSpace &space    = body.space;
+    const ShapeCache &shapes   = body.shapes;
+    const Vector      relevant = space.with_ghosts(state.solution);
 
     ElementKernel                                kernel;
     MaterialResponse                             response;
@@ -37,26 +35,22 @@ namespace lumbricus
       space.fe.n_dofs_per_cell());
     point.t = state.time;
 
-    unsigned int cell_index = 0;
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const OwnedCell cell : body.owned_cells())
       {
-        const unsigned int     i      = cell_index++;
-        const Region           region = Region::of(cell->material_id());
-        const ShapeCache::Cell shape  = shapes.cell(i);
+        const ShapeCache::Cell shape = shapes.cell(cell.index);
 
-        point.cell      = cell;
-        point.segment   = region.segment + 1;
-        point.tissue    = region.tissue;
-        point.is_liquid = anatomy.is_liquid(region.tissue);
-        point.material  = &anatomy.tissue(region.tissue);
+        point.cell      = cell.iterator;
+        point.segment   = cell.region.segment + 1;
+        point.tissue    = cell.region.tissue;
+        point.is_liquid = cell.is_liquid;
+        point.material  = &cell.tissue;
 
-        kernel.read(space, cell, relevant, indices);
+        kernel.read(space, cell.iterator, relevant, indices);
         kernel.compute_deformation(shape);
         for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
           {
             point.q  = q;
-            point.X  = shapes.quadrature_point(i, q);
+            point.X  = shapes.quadrature_point(cell.index, q);
             point.dV = shape.JxW[q];
             for (unsigned int c = 0; c < dim; ++c)
               point.u[c] = kernel.displacement(shapes.node_values(), q, c);
@@ -64,7 +58,7 @@ namespace lumbricus
             point.J = determinant(point.F);
             point.pressure_unknown =
               kernel.pressure(shapes.pressure_modes(), q);
-            point.reference = &references.cell(i)[q];
+            point.reference = &references.cell(cell.index)[q];
             point.material->evaluate(point.F,
                                      point.pressure_unknown,
                                      *point.reference,

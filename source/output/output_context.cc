@@ -5,15 +5,12 @@ namespace lumbricus
 {
   OutputContext::OutputContext(const State          &state,
                                const StepRecord     &step,
-                               const ShapeCache     &shapes,
-                               const Anatomy        &anatomy,
+                               const Body           &body,
                                const ReferenceField &references,
                                CellFields           &cell_fields)
     : state(state)
     , step(step)
-    , space(cell_fields.space)
-    , shapes(shapes)
-    , anatomy(anatomy)
+    , body(body)
     , references(references)
     , cell_fields(cell_fields)
   {}
@@ -35,6 +32,6 @@ namespace lumbricus
   OutputContext::visit_points(
     const std::function<void(const FieldPoint &)> &visit) const
   {
-    lumbricus::visit_points(space, shapes, anatomy, references, state, visit);
+    lumbricus::visit_points(body, references, state, visit);
   }
 } // namespace lumbricus

@@ -4,26 +4,22 @@
 namespace lumbricus
 {
   Results::Results(RunFolder            &folder,
-                   const MixedSpace     &space,
-                   const ShapeCache     &shapes,
-                   const Anatomy        &anatomy,
+                   const Body           &body,
                    const ReferenceField &references,
                    OutputParts          &parts,
                    const unsigned int    pictures_every)
-    : space(space)
-    , shapes(shapes)
-    , anatomy(anatomy)
+    : body(body)
     , references(references)
     , parts(parts)
     , pictures_every(pictures_every)
-    , cell_fields(space, shapes, anatomy, references, parts.field_arrays())
+    , cell_fields(body, references, parts.field_arrays())
   {
     for (const auto &[name, table] : parts.tables())
       tables.push_back({table,
                         std::make_unique<CsvTable>(folder,
                                                    name,
                                                    table->columns(),
-                                                   space.communicator())});
+                                                   body.space.communicator())});
     parts.format().claim(folder);
     reinit();
   }
@@ -35,7 +31,7 @@ namespace lumbricus
   {
     cell_fields.reinit();
     for (const TableOnDisk &entry : tables)
-      entry.table->reinit(space);
+      entry.table->reinit(body.space);
   }
 
 
@@ -43,8 +39,7 @@ namespace lumbricus
   void
   Results::write(const State &state, const StepRecord &step)
   {
-    const OutputContext context(
-      state, step, shapes, anatomy, references, cell_fields);
+    const OutputContext context(state, step, body, references, cell_fields);
     for (const TableOnDisk &entry : tables)
       {
         entry.table->write(entry.file->rows(), context);

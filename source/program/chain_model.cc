@@ -14,21 +14,15 @@ namespace lumbricus
     , triangulation(comm)
     , space(triangulation)
     , shapes(space)
-    , references(space, shapes, parameters.anatomy)
+    , body(space, shapes, parameters.anatomy)
+    , references(body)
     , supports(space,
                parameters.anatomy,
                parameters.interface_coupling,
                parameters.boundary_conditions)
-    , surface_terms(space, parameters.boundary_conditions)
-    , assembler(space,
-                shapes,
-                parameters.anatomy,
-                surface_terms,
-                references,
-                supports)
-    , equilibrium(space,
-                  shapes,
-                  parameters.anatomy,
+    , surface_terms(body, parameters.boundary_conditions)
+    , assembler(body, surface_terms, references, supports)
+    , equilibrium(body,
                   assembler,
                   supports,
                   *parameters.linear_solver.get(),
@@ -138,15 +132,8 @@ namespace lumbricus
     parameters.boundary_conditions.try_expressions(triangulation, {t.to()});
     equilibrium.set_time(t, guess);
     const Vector start  = state.solution;
-    const auto   report = parameters.reset_iteration.solve(state,
-                                                         guess,
-                                                         equilibrium,
-                                                         parameters.newton,
-                                                         references,
-                                                         space,
-                                                         shapes,
-                                                         parameters.anatomy,
-                                                         timer);
+    const auto   report = parameters.reset_iteration.solve(
+      state, guess, equilibrium, parameters.newton, references, body, timer);
     AssertThrow(!equilibrium.leaps(start, state.solution),
                 ExcNotConverged(
                   "The body has moved by more than its own length "
@@ -162,9 +149,7 @@ namespace lumbricus
   {
     dealii::TimerOutput::Scope scope(timer, "reactions");
     surface_terms.set_to(state);
-    return external_forces(space,
-                           shapes,
-                           parameters.anatomy,
+    return external_forces(body,
                            parameters.boundary_conditions,
                            surface_terms,
                            references,
@@ -187,8 +172,9 @@ namespace lumbricus
   ChainModel::relax_liquid_mesh(State &state)
   {
     dealii::TimerOutput::Scope scope(timer, "liquid's mesh");
-    return parameters.reset_iteration.relax_mesh(
-      state, space, shapes, parameters.anatomy, assembler.tangent().unknowns);
+    return parameters.reset_iteration.relax_mesh(state,
+                                                 body,
+                                                 assembler.tangent().unknowns);
   }
 
 

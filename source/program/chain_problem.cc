@@ -78,9 +78,7 @@ namespace lumbricus
       first_state = model.rest_state();
     so_far.end_time = parameters.load_stepping.end_time();
     results = std::make_unique<Results>(folder,
-                                        model.space,
-                                        model.shapes,
-                                        parameters.anatomy,
+                                        model.body,
                                         model.references,
                                         parameters.output_parts,
                                         parameters.output_every);

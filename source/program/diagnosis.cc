@@ -50,10 +50,7 @@ namespace lumbricus
     worst_cells(ChainModel &model, const State &state)
     {
       const Vector       relevant  = model.space.with_ghosts(state.solution);
-      const auto         qualities = mesh_qualities(model.space,
-                                            model.shapes,
-                                            model.parameters.anatomy,
-                                            &relevant);
+      const auto         qualities = mesh_qualities(model.body, &relevant);
       std::ostringstream out;
       out.precision(2);
       for (unsigned int s = 0; s < qualities.size(); ++s)
@@ -75,9 +72,7 @@ namespace lumbricus
            const LoadTime &now,
            const LoadTime &next)
   {
-    const Stability    stability(model.space,
-                              model.shapes,
-                              model.parameters.anatomy,
+    const Stability    stability(model.body,
                               model.assembler.tangent(),
                               *model.parameters.linear_solver.get());
     std::ostringstream words;

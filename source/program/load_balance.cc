@@ -5,7 +5,6 @@
 #include <lumbricus/program/load_balance.h>
 
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,8 +48,7 @@ namespace lumbricus
                                             dealii::update_quadrature_points |
                                               dealii::update_normal_vectors |
                                               dealii::update_JxW_values);
-      for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                                dealii::IteratorFilters::LocallyOwnedCell())
+      for (const auto &cell : space.owned_cells())
         for (const auto &face : cell->face_iterators())
           for (unsigned int i = 0; i < conditions.n_conditions(); ++i)
             {

@@ -105,20 +105,16 @@ namespace lumbricus
     mark(ChainModel &model, const State &state, AdaptationRecord &record)
     {
       const Adaptivity &adaptivity = model.parameters.adaptivity;
-      CellFields        fields(model.space,
-                        model.shapes,
-                        model.parameters.anatomy,
+      CellFields        fields(model.body,
                         model.references,
                         model.parameters.output_parts.field_arrays(
                           fields_for_estimate()));
       fields.reinit();
       fields.update(state);
-      const ErrorEstimate estimate = estimate_errors(adaptivity.estimator(),
-                                                     fields,
-                                                     model.space,
-                                                     model.parameters.anatomy);
-      record.estimated_error       = estimate.relative;
-      record.any                   = adaptivity.mark(estimate,
+      const ErrorEstimate estimate =
+        estimate_errors(adaptivity.estimator(), fields);
+      record.estimated_error = estimate.relative;
+      record.any             = adaptivity.mark(estimate,
                                    model.space.dof_handler.n_dofs(),
                                    model.is_slip_interface(),
                                    model.triangulation);
@@ -131,9 +127,7 @@ namespace lumbricus
     change_mesh(ChainModel &model, State &state)
     {
       const IsSlipInterface slips   = model.is_slip_interface();
-      const Anatomy        &anatomy = model.parameters.anatomy;
-      const auto            volumes =
-        rest_volumes(model.space, model.shapes, anatomy, state);
+      const auto            volumes = rest_volumes(model.body, state);
       do
         change_mesh(
           model.triangulation,
@@ -145,7 +139,7 @@ namespace lumbricus
       }));
       model.reinit();
       // Where cells were merged, the liquid's stress-free shape is another one.
-      set_rest_volumes(volumes, model.space, model.shapes, anatomy, state);
+      set_rest_volumes(volumes, model.body, state);
     }
   } // namespace
 

@@ -34,9 +34,7 @@ namespace lumbricus
     dealii::TimerOutput::Scope scope(model.timer, "stability");
     model.set_to(state);
     model.equilibrium.linearise(state.solution);
-    const Stability stability(model.space,
-                              model.shapes,
-                              model.parameters.anatomy,
+    const Stability stability(model.body,
                               model.assembler.tangent(),
                               *model.parameters.linear_solver.get());
     try

@@ -6,7 +6,6 @@
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,8 +74,7 @@ namespace lumbricus
     void
     for_each_boundary_face(const MixedSpace &space, const Function &function)
     {
-      for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                                dealii::IteratorFilters::LocallyOwnedCell())
+      for (const auto &cell : space.owned_cells())
         if (cell->at_boundary())
           for (const auto &face : cell->face_iterators())
             if (face->at_boundary())

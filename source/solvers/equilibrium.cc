@@ -2,8 +2,6 @@
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/solvers/equilibrium.h>
 
-#include <deal.II/grid/filtered_iterator.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,16 +18,12 @@ namespace lumbricus
 
 
 
-  Equilibrium::Equilibrium(const MixedSpace    &space,
-                           const ShapeCache    &shapes,
-                           const Anatomy       &anatomy,
+  Equilibrium::Equilibrium(const Body          &body,
                            Assembler           &assembler,
                            Supports            &supports,
                            LinearSolver        &linear_solver,
                            dealii::TimerOutput &timer)
-    : space(space)
-    , shapes(shapes)
-    , anatomy(anatomy)
+    : body(body)
     , assembler(assembler)
     , supports(supports)
     , linear_solver(linear_solver)
@@ -41,14 +35,15 @@ namespace lumbricus
   void
   Equilibrium::reinit()
   {
-    const MPI_Comm comm = space.communicator();
+    const MixedSpace &space  = body.space;
+    const ShapeCache &shapes = body.shapes;
+    const MPI_Comm    comm   = space.communicator();
     r.reinit(space.locally_owned, comm);
 
     component.assign(space.locally_owned.n_elements(), dim);
     std::vector<dealii::types::global_dof_index> indices(
       space.fe.n_dofs_per_cell());
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const auto &cell : space.owned_cells())
       {
         cell->get_dof_indices(indices);
         for (unsigned int c = 0; c < dim; ++c)
@@ -62,7 +57,7 @@ namespace lumbricus
       for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
         volume += shapes.cell(i).JxW[q];
     body_volume = dealii::Utilities::MPI::sum(volume, comm);
-    length      = anatomy.geometry().characteristic_length();
+    length      = body.anatomy.geometry().characteristic_length();
 
     std::vector<double> ends(2 * dim, std::numeric_limits<double>::lowest());
     for (unsigned int i = 0; i < shapes.n_owned_cells(); ++i)
@@ -80,7 +75,7 @@ namespace lumbricus
 
     // Forces are small, relative to nothing else, where they are those of a
     // strain of 1e-6 in the stiffest tissue.
-    least_force = 1e-6 * anatomy.wall_stiffness() * length * length;
+    least_force = 1e-6 * body.anatomy.wall_stiffness() * length * length;
 
     reinit_solvers();
   }
@@ -154,7 +149,7 @@ namespace lumbricus
         else
           force += entry * entry;
       }
-    const MPI_Comm comm = space.communicator();
+    const MPI_Comm comm = body.space.communicator();
     Residual       residual;
     const double   level = std::max(report.force_level, least_force);
     residual.force =
@@ -172,7 +167,7 @@ namespace lumbricus
   void
   Equilibrium::linearise(const Vector &x)
   {
-    throw_if_interrupted(space.communicator());
+    throw_if_interrupted(body.space.communicator());
     dealii::TimerOutput::Scope scope(timer, "assembly");
     assembler.linearise(x, time);
   }
@@ -202,7 +197,7 @@ namespace lumbricus
           sums[component[i]] += way.begin()[i];
           sums[dim + component[i]] += 1.;
         }
-    dealii::Utilities::MPI::sum(sums, space.communicator(), sums);
+    dealii::Utilities::MPI::sum(sums, body.space.communicator(), sums);
     for (unsigned int i = 0; i < component.size(); ++i)
       if (component[i] < dim)
         way.begin()[i] -= sums[component[i]] / sums[dim + component[i]];
@@ -218,7 +213,8 @@ namespace lumbricus
     for (unsigned int i = 0; i < component.size(); ++i)
       if (component[i] < dim)
         largest = std::max(largest, std::abs(dx.begin()[i]));
-    return dealii::Utilities::MPI::max(largest, space.communicator()) / length;
+    return dealii::Utilities::MPI::max(largest, body.space.communicator()) /
+           length;
   }
 
 
@@ -244,6 +240,7 @@ namespace lumbricus
   std::string
   Equilibrium::locate_trouble(const Vector &x)
   {
+    const MixedSpace  &space  = body.space;
     const auto         report = assembler.residual(x, time, r);
     std::ostringstream where;
     if (!report.valid())

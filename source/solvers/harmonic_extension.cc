@@ -4,7 +4,6 @@
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/solvers/harmonic_extension.h>
 
-#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
@@ -152,12 +151,13 @@ namespace lumbricus
 
     // Which nodes of a cell of liquid are on its surface.
     std::vector<bool>
-    nodes_on_surface(const MixedSpace &space,
-                     const Anatomy    &anatomy,
-                     const dealii::DoFHandler<dim>::active_cell_iterator &cell)
+    nodes_on_surface(const Body &body, const OwnedCell &owned_cell)
     {
-      const auto planes     = anatomy.geometry().symmetry_planes();
-      const auto is_surface = [&](const unsigned int f) {
+      const MixedSpace &space      = body.space;
+      const Anatomy    &anatomy    = body.anatomy;
+      const auto       &cell       = owned_cell.iterator;
+      const auto        planes     = anatomy.geometry().symmetry_planes();
+      const auto        is_surface = [&](const unsigned int f) {
         if (!cell->face(f)->at_boundary())
           return !anatomy.is_liquid(
             Region::of(cell->neighbor(f)->material_id()).tissue);
@@ -181,9 +181,7 @@ namespace lumbricus
 
 
   CellVector
-  harmonic_correction(const MixedSpace        &space,
-                      const ShapeCache        &shapes,
-                      const Anatomy           &anatomy,
+  harmonic_correction(const Body              &body,
                       const CellUnknowns      &unknowns,
                       const Vector            &relevant_solution,
                       const std::vector<bool> &in_segment)
@@ -192,19 +190,15 @@ namespace lumbricus
     std::vector<std::array<double, n_per_cell>>  u_of_cells;
     ElementKernel                                kernel;
     std::vector<dealii::types::global_dof_index> indices(
-      space.fe.n_dofs_per_cell());
-    unsigned int cell_index = 0;
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+      body.space.fe.n_dofs_per_cell());
+    for (const OwnedCell cell : body.owned_cells())
       {
-        const unsigned int i      = cell_index++;
-        const Region       region = Region::of(cell->material_id());
-        if (!anatomy.is_liquid(region.tissue) || !in_segment[region.segment])
+        if (!cell.is_liquid || !in_segment[cell.region.segment])
           continue;
-        laplacian.add_cell(i,
-                           shapes.cell(i),
-                           nodes_on_surface(space, anatomy, cell));
-        kernel.read(space, cell, relevant_solution, indices);
+        laplacian.add_cell(cell.index,
+                           body.shapes.cell(cell.index),
+                           nodes_on_surface(body, cell));
+        kernel.read(body.space, cell.iterator, relevant_solution, indices);
         u_of_cells.emplace_back();
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int n = 0; n < n_nodes; ++n)

@@ -9,8 +9,6 @@
 #include <lumbricus/solvers/harmonic_extension.h>
 #include <lumbricus/solvers/liquid_mesh.h>
 
-#include <deal.II/grid/filtered_iterator.h>
-
 #include <algorithm>
 
 namespace lumbricus
@@ -22,24 +20,16 @@ namespace lumbricus
     // Of the scaled Jacobian: nothing moves for less.
     constexpr double least_gain = 1e-6;
 
-    // Call function(cell, owned_index) for the owned cells of liquid of some
-    // segments.
+    // Call function(cell) for the owned cells of liquid of some segments.
     template <typename Function>
     void
-    for_each_cell(const MixedSpace        &space,
-                  const Anatomy           &anatomy,
+    for_each_cell(const Body              &body,
                   const std::vector<bool> &in_segment,
                   const Function          &function)
     {
-      unsigned int cell_index = 0;
-      for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                                dealii::IteratorFilters::LocallyOwnedCell())
-        {
-          const unsigned int i      = cell_index++;
-          const Region       region = Region::of(cell->material_id());
-          if (anatomy.is_liquid(region.tissue) && in_segment[region.segment])
-            function(cell, i);
-        }
+      for (const OwnedCell cell : body.owned_cells())
+        if (cell.is_liquid && in_segment[cell.region.segment])
+          function(cell);
     }
 
 
@@ -47,9 +37,7 @@ namespace lumbricus
     // The mean of p over the stress-free volume of every segment's liquid, so
     // that a uniform p of this value goes with the same volume.
     std::vector<double>
-    mean_pressures(const MixedSpace        &space,
-                   const ShapeCache        &shapes,
-                   const Anatomy           &anatomy,
+    mean_pressures(const Body              &body,
                    const std::vector<bool> &in_segment,
                    CellStateReader         &reader)
     {
@@ -58,31 +46,26 @@ namespace lumbricus
       const unsigned int  u_vol = reader.layout.begin_of(volume_displacement);
       std::vector<double> values;
       ElementKernel       kernel;
-      for_each_cell(space,
-                    anatomy,
-                    in_segment,
-                    [&](const auto &cell, const unsigned int i) {
-                      reader.read(cell, values);
-                      for (unsigned int c = 0; c < dim; ++c)
-                        for (unsigned int n = 0; n < n_nodes; ++n)
-                          kernel.u[c][n] = values[u_vol + c * n_nodes + n];
-                      std::copy_n(&values[CellLayout::pressure_begin],
-                                  MixedSpace::n_pressure_modes,
-                                  kernel.p);
-                      kernel.compute_deformation(shapes.cell(i));
-                      const unsigned int segment =
-                        Region::of(cell->material_id()).segment;
-                      for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
-                        {
-                          const double J_v_dV =
-                            determinant(kernel.F[q]) * shapes.cell(i).JxW[q];
-                          sums[segment] += J_v_dV;
-                          sums[n_segments + segment] +=
-                            kernel.pressure(shapes.pressure_modes(), q) *
-                            J_v_dV;
-                        }
-                    });
-      dealii::Utilities::MPI::sum(sums, space.communicator(), sums);
+      for_each_cell(body, in_segment, [&](const OwnedCell &cell) {
+        reader.read(cell.iterator, values);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int n = 0; n < n_nodes; ++n)
+            kernel.u[c][n] = values[u_vol + c * n_nodes + n];
+        std::copy_n(&values[CellLayout::pressure_begin],
+                    MixedSpace::n_pressure_modes,
+                    kernel.p);
+        const ShapeCache::Cell shape = body.shapes.cell(cell.index);
+        kernel.compute_deformation(shape);
+        const unsigned int segment = cell.region.segment;
+        for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
+          {
+            const double J_v_dV = determinant(kernel.F[q]) * shape.JxW[q];
+            sums[segment] += J_v_dV;
+            sums[n_segments + segment] +=
+              kernel.pressure(body.shapes.pressure_modes(), q) * J_v_dV;
+          }
+      });
+      dealii::Utilities::MPI::sum(sums, body.space.communicator(), sums);
       std::vector<double> means(n_segments, 0.);
       for (unsigned int s = 0; s < n_segments; ++s)
         if (in_segment[s])
@@ -96,8 +79,7 @@ namespace lumbricus
     // shape they make then without stress, and the pressure uniform. The volume
     // of that shape is the stress-free one up to a factor.
     State
-    relaxed_state(const MixedSpace          &space,
-                  const Anatomy             &anatomy,
+    relaxed_state(const Body                &body,
                   const CellUnknowns        &unknowns,
                   const std::vector<bool>   &in_segment,
                   const CellVector          &correction,
@@ -105,33 +87,27 @@ namespace lumbricus
                   CellStateReader           &reader,
                   const State               &state)
     {
+      const MixedSpace   &space   = body.space;
       State               relaxed = state;
       CellStateWriter     writer(space, relaxed);
       std::vector<double> values, of_cell(CellUnknowns::n_per_cell);
       const double        constant_mode =
         space.fe.shape_value(space.pressure_dof[0], dealii::Point<dim>());
-      for_each_cell(space,
-                    anatomy,
-                    in_segment,
-                    [&](const auto &cell, const unsigned int i) {
-                      reader.read(cell, values);
-                      unknowns.read_free(i, correction, of_cell.data());
-                      const auto u = values.begin(),
-                                 p = u + CellLayout::pressure_begin;
-                      for (unsigned int c = 0; c < dim; ++c)
-                        for (unsigned int n = 0; n < n_nodes; ++n)
-                          u[c * n_nodes + n] +=
-                            of_cell[CellUnknowns::displacement(c, n)];
-                      for (const auto *history :
-                           {&rest_displacement, &volume_displacement})
-                        std::copy_n(u,
-                                    CellLayout::n_displacements,
-                                    u + reader.layout.begin_of(*history));
-                      std::fill_n(p, MixedSpace::n_pressure_modes, 0.);
-                      *p = pressures[Region::of(cell->material_id()).segment] /
-                           constant_mode;
-                      writer.write(cell, values);
-                    });
+      for_each_cell(body, in_segment, [&](const OwnedCell &cell) {
+        reader.read(cell.iterator, values);
+        unknowns.read_free(cell.index, correction, of_cell.data());
+        const auto u = values.begin(), p = u + CellLayout::pressure_begin;
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int n = 0; n < n_nodes; ++n)
+            u[c * n_nodes + n] += of_cell[CellUnknowns::displacement(c, n)];
+        for (const auto *history : {&rest_displacement, &volume_displacement})
+          std::copy_n(u,
+                      CellLayout::n_displacements,
+                      u + reader.layout.begin_of(*history));
+        std::fill_n(p, MixedSpace::n_pressure_modes, 0.);
+        *p = pressures[cell.region.segment] / constant_mode;
+        writer.write(cell.iterator, values);
+      });
       relaxed.compress();
       return relaxed;
     }
@@ -157,17 +133,16 @@ namespace lumbricus
 
 
   LiquidMesh::Relaxation
-  LiquidMesh::relax(const MixedSpace   &space,
-                    const ShapeCache   &shapes,
-                    const Anatomy      &anatomy,
+  LiquidMesh::relax(const Body         &body,
                     const CellUnknowns &unknowns,
                     State              &state) const
   {
-    if (relax_below == 0. || !anatomy.has_liquid())
+    if (relax_below == 0. || !body.anatomy.has_liquid())
       return {};
-    const Vector before  = space.with_ghosts(state.solution);
-    const auto   quality = mesh_qualities(space, shapes, anatomy, &before);
-    const auto   at_rest = mesh_qualities(space, shapes, anatomy, nullptr);
+    const MixedSpace &space   = body.space;
+    const Vector      before  = space.with_ghosts(state.solution);
+    const auto        quality = mesh_qualities(body, &before);
+    const auto        at_rest = mesh_qualities(body, nullptr);
 
     Relaxation relaxation;
     for (unsigned int s = 0; s < quality.size(); ++s)
@@ -181,14 +156,12 @@ namespace lumbricus
     if (!any())
       return {};
 
-    const CellVector correction = harmonic_correction(
-      space, shapes, anatomy, unknowns, before, relaxation.in_segment);
+    const CellVector correction =
+      harmonic_correction(body, unknowns, before, relaxation.in_segment);
     CellStateReader reader(space, state);
-    const auto      pressures = mean_pressures(
-      space, shapes, anatomy, relaxation.in_segment, reader);
+    const auto pressures  = mean_pressures(body, relaxation.in_segment, reader);
     const auto relax_them = [&]() {
-      return relaxed_state(space,
-                           anatomy,
+      return relaxed_state(body,
                            unknowns,
                            relaxation.in_segment,
                            correction,
@@ -198,7 +171,7 @@ namespace lumbricus
     };
     State        relaxed = relax_them();
     const Vector after   = space.with_ghosts(relaxed.solution);
-    const auto   better  = mesh_qualities(space, shapes, anatomy, &after);
+    const auto   better  = mesh_qualities(body, &after);
     bool         all     = true;
     for (unsigned int s = 0; s < quality.size(); ++s)
       if (relaxation.in_segment[s] &&
@@ -209,11 +182,7 @@ namespace lumbricus
     if (!all)
       relaxed = relax_them();
 
-    set_rest_volumes(rest_volumes(space, shapes, anatomy, state),
-                     space,
-                     shapes,
-                     anatomy,
-                     relaxed);
+    set_rest_volumes(rest_volumes(body, state), body, relaxed);
     // What is extrapolated begins at the nodes where they are now.
     Vector change = relaxed.solution;
     change -= state.solution;

@@ -4,8 +4,6 @@
 #include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/solvers/reset_iteration.h>
 
-#include <deal.II/grid/filtered_iterator.h>
-
 #include <algorithm>
 #include <sstream>
 
@@ -68,14 +66,12 @@ namespace lumbricus
 
   LiquidMesh::Relaxation
   ResetIteration::relax_mesh(State              &state,
-                             const MixedSpace   &space,
-                             const ShapeCache   &shapes,
-                             const Anatomy      &anatomy,
+                             const Body         &body,
                              const CellUnknowns &unknowns) const
   {
     if (limit == 0)
       return {};
-    return liquid_mesh.relax(space, shapes, anatomy, unknowns, state);
+    return liquid_mesh.relax(body, unknowns, state);
   }
 
 
@@ -86,12 +82,10 @@ namespace lumbricus
                         Equilibrium         &equilibrium,
                         const Newton        &newton,
                         ReferenceField      &references,
-                        const MixedSpace    &space,
-                        const ShapeCache    &shapes,
-                        const Anatomy       &anatomy,
+                        const Body          &body,
                         dealii::TimerOutput &timer) const
   {
-    const unsigned int n_segments = anatomy.geometry().n_segments();
+    const unsigned int n_segments = body.anatomy.geometry().n_segments();
     Report             report;
     report.n_resets.assign(n_segments, 0);
 
@@ -104,11 +98,10 @@ namespace lumbricus
         state.solution = x;
 
         dealii::TimerOutput::Scope scope(timer, "reset");
-        const Vector               relevant = space.with_ghosts(state.solution);
-        solve.segments =
-          segment_states(space, shapes, anatomy, references, relevant);
-        solve.measures  = section_measures(space, anatomy, relevant);
-        solve.qualities = mesh_qualities(space, shapes, anatomy, &relevant);
+        const Vector relevant = body.space.with_ghosts(state.solution);
+        solve.segments        = segment_states(body, references, relevant);
+        solve.measures        = section_measures(body, relevant);
+        solve.qualities       = mesh_qualities(body, &relevant);
         for (const SegmentState &segment : solve.segments)
           solve.divergence.push_back(segment.divergence(pressure_floor));
         report.solves.push_back(solve);
@@ -131,7 +124,7 @@ namespace lumbricus
         if (done)
           return report;
 
-        reset(state, is_reset, space, anatomy);
+        reset(state, is_reset, body);
         references.update_liquid(state);
         for (unsigned int s = 0; s < n_segments; ++s)
           report.n_resets[s] += is_reset[s];
@@ -181,25 +174,24 @@ namespace lumbricus
   void
   ResetIteration::reset(State                   &state,
                         const std::vector<bool> &in_segment,
-                        const MixedSpace        &space,
-                        const Anatomy           &anatomy) const
+                        const Body              &body) const
   {
-    const Vector relevant       = space.with_ghosts(state.solution);
-    const bool   forgets_volume = mode == "full";
-    Vector      &u_ref          = rest_displacement.in(state);
-    Vector      &u_vol          = volume_displacement.in(state);
+    const MixedSpace &space          = body.space;
+    const Vector      relevant       = space.with_ghosts(state.solution);
+    const bool        forgets_volume = mode == "full";
+    Vector           &u_ref          = rest_displacement.in(state);
+    Vector           &u_vol          = volume_displacement.in(state);
     std::vector<dealii::types::global_dof_index> indices(
       space.fe.n_dofs_per_cell());
     std::vector<dealii::types::global_dof_index> rest_indices(
       space.rest_fe.n_dofs_per_cell());
-    for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                              dealii::IteratorFilters::LocallyOwnedCell())
+    for (const OwnedCell cell : body.owned_cells())
       {
-        const Region region = Region::of(cell->material_id());
-        if (!anatomy.is_liquid(region.tissue) || !in_segment[region.segment])
+        if (!cell.is_liquid || !in_segment[cell.region.segment])
           continue;
-        cell->get_dof_indices(indices);
-        same_cell(cell, space.rest_dof_handler)->get_dof_indices(rest_indices);
+        cell.iterator->get_dof_indices(indices);
+        same_cell(cell.iterator, space.rest_dof_handler)
+          ->get_dof_indices(rest_indices);
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
             {

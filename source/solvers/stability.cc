@@ -2,8 +2,6 @@
 #include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/solvers/stability.h>
 
-#include <deal.II/grid/filtered_iterator.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -36,35 +34,23 @@ namespace lumbricus
 
 
 
-    // Call function(owned_index, region) for the owned cells of the wall.
+    // Call function(cell) for the owned cells of the wall.
     template <typename Function>
     void
-    for_each_wall_cell(const MixedSpace &space,
-                       const Anatomy    &anatomy,
-                       const Function   &function)
+    for_each_wall_cell(const Body &body, const Function &function)
     {
-      unsigned int cell_index = 0;
-      for (const auto &cell : space.dof_handler.active_cell_iterators() |
-                                dealii::IteratorFilters::LocallyOwnedCell())
-        {
-          const unsigned int i      = cell_index++;
-          const Region       region = Region::of(cell->material_id());
-          if (!anatomy.is_liquid(region.tissue))
-            function(i, region);
-        }
+      for (const OwnedCell cell : body.owned_cells())
+        if (!cell.is_liquid)
+          function(cell);
     }
   } // namespace
 
 
 
-  Stability::Stability(const MixedSpace &space,
-                       const ShapeCache &shapes,
-                       const Anatomy    &anatomy,
-                       const Tangent    &tangent,
-                       LinearSolver     &linear_solver)
-    : space(space)
-    , shapes(shapes)
-    , anatomy(anatomy)
+  Stability::Stability(const Body    &body,
+                       const Tangent &tangent,
+                       LinearSolver  &linear_solver)
+    : body(body)
     , tangent(tangent)
     , linear_solver(linear_solver)
   {}
@@ -75,25 +61,25 @@ namespace lumbricus
   Stability::mass(const CellVector &v) const
   {
     const CellUnknowns &unknowns = tangent.unknowns;
+    const ShapeCache   &shapes   = body.shapes;
     CellVector          result;
     unknowns.reinit_vector(result);
     double v_cell[n_per_cell], result_cell[n_per_cell];
     v.update_ghost_values();
-    for_each_wall_cell(
-      space, anatomy, [&](const unsigned int i, const Region & /*region*/) {
-        unknowns.read_free(i, v, v_cell);
-        std::fill(result_cell, result_cell + n_per_cell, 0.);
-        for (unsigned int q = 0; q < n_q; ++q)
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              const double v_dV =
-                value(shapes, v_cell, q, c) * shapes.cell(i).JxW[q];
-              for (unsigned int n = 0; n < n_nodes; ++n)
-                result_cell[CellUnknowns::displacement(c, n)] +=
-                  shapes.node_values()[n_nodes * q + n] * v_dV;
-            }
-        unknowns.add(i, result_cell, result);
-      });
+    for_each_wall_cell(body, [&](const OwnedCell &cell) {
+      unknowns.read_free(cell.index, v, v_cell);
+      std::fill(result_cell, result_cell + n_per_cell, 0.);
+      for (unsigned int q = 0; q < n_q; ++q)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const double v_dV =
+              value(shapes, v_cell, q, c) * shapes.cell(cell.index).JxW[q];
+            for (unsigned int n = 0; n < n_nodes; ++n)
+              result_cell[CellUnknowns::displacement(c, n)] +=
+                shapes.node_values()[n_nodes * q + n] * v_dV;
+          }
+      unknowns.add(cell.index, result_cell, result);
+    });
     result.compress(dealii::VectorOperation::add);
     v.zero_out_ghost_values();
     return result;
@@ -108,19 +94,18 @@ namespace lumbricus
     const CellUnknowns &unknowns = tangent.unknowns;
     CellVector          f;
     unknowns.reinit_vector(f);
-    for_each_wall_cell(
-      space, anatomy, [&](const unsigned int i, const Region & /*region*/) {
-        double       f_cell[n_per_cell] = {};
-        const double size = anatomy.geometry().characteristic_length();
-        for (unsigned int n = 0; n < n_nodes; ++n)
-          {
-            const auto X = shapes.node(i, n) / size;
-            for (unsigned int c = 0; c < dim; ++c)
-              f_cell[CellUnknowns::displacement(c, n)] =
-                std::sin(1. + 2. * c + 7. * X[0] + 11. * X[1] + 5. * X[2]);
-          }
-        unknowns.add(i, f_cell, f);
-      });
+    const double size = body.anatomy.geometry().characteristic_length();
+    for_each_wall_cell(body, [&](const OwnedCell &cell) {
+      double f_cell[n_per_cell] = {};
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        {
+          const auto X = body.shapes.node(cell.index, n) / size;
+          for (unsigned int c = 0; c < dim; ++c)
+            f_cell[CellUnknowns::displacement(c, n)] =
+              std::sin(1. + 2. * c + 7. * X[0] + 11. * X[1] + 5. * X[2]);
+        }
+      unknowns.add(cell.index, f_cell, f);
+    });
     f.compress(dealii::VectorOperation::add);
 
     Motion motion = response(f);
@@ -178,30 +163,27 @@ namespace lumbricus
     Region where{0, 0};
     double v_cell[n_per_cell];
     motion.v.update_ghost_values();
-    for_each_wall_cell(space,
-                       anatomy,
-                       [&](const unsigned int i, const Region &region) {
-                         tangent.unknowns.read_free(i, motion.v, v_cell);
-                         for (unsigned int q = 0; q < n_q; ++q)
-                           {
-                             double square = 0.;
-                             for (unsigned int c = 0; c < dim; ++c)
-                               square +=
-                                 std::pow(value(shapes, v_cell, q, c), 2);
-                             if (square > largest)
-                               {
-                                 largest = square;
-                                 where   = region;
-                               }
-                           }
-                       });
+    for_each_wall_cell(body, [&](const OwnedCell &cell) {
+      tangent.unknowns.read_free(cell.index, motion.v, v_cell);
+      for (unsigned int q = 0; q < n_q; ++q)
+        {
+          double square = 0.;
+          for (unsigned int c = 0; c < dim; ++c)
+            square += std::pow(value(body.shapes, v_cell, q, c), 2);
+          if (square > largest)
+            {
+              largest = square;
+              where   = cell.region;
+            }
+        }
+    });
     motion.v.zero_out_ghost_values();
 
-    const MPI_Comm comm    = space.communicator();
+    const MPI_Comm comm    = body.space.communicator();
     const auto     global  = dealii::Utilities::MPI::min_max_avg(largest, comm);
+    const auto     tissues = body.anatomy.geometry().tissues();
     const std::string here = "segment " + std::to_string(where.segment + 1) +
-                             ", " +
-                             anatomy.geometry().tissues()[where.tissue].name;
+                             ", " + tissues[where.tissue].name;
     return dealii::Utilities::MPI::broadcast(comm, here, global.max_index);
   }
 } // namespace lumbricus

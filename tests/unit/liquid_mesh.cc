@@ -116,9 +116,7 @@ end
     {
       const Vector     noise = body.random(size, 3);
       const CellVector inside =
-        harmonic_correction(model.space,
-                            model.shapes,
-                            anatomy,
+        harmonic_correction(model.body,
                             model.assembler.tangent().unknowns,
                             model.space.with_ghosts(noise),
                             std::vector<bool>(2, true));
@@ -141,7 +139,7 @@ end
     qualities(const Vector &solution) const
     {
       const Vector relevant = model.space.with_ghosts(solution);
-      return mesh_qualities(model.space, model.shapes, anatomy, &relevant);
+      return mesh_qualities(model.body, &relevant);
     }
 
     Specimen       body;
@@ -203,9 +201,7 @@ TEST_P(LiquidMeshes, AHomogeneousDeformationExtendsAsOne)
   ASSERT_GT(distorted.l2_norm() - expected.l2_norm(), 1e-4);
 
   const CellVector correction =
-    harmonic_correction(model.space,
-                        model.shapes,
-                        anatomy,
+    harmonic_correction(model.body,
                         model.assembler.tangent().unknowns,
                         model.space.with_ghosts(distorted),
                         {true, true});
@@ -247,19 +243,16 @@ TEST_P(LiquidMeshes, RelaxingKeepsVolumePressureAndEquilibrium)
   set_all(body.state.solution);
   body.state.past.push_back({-1., start});
   const State before = body.state;
-  const auto volumes = rest_volumes(model.space, model.shapes, anatomy, before);
+  const auto  volumes = rest_volumes(model.body, before);
   const auto bad     = qualities(before.solution);
 
   const auto relaxation = model.relax_liquid_mesh(body.state);
   ASSERT_EQ(relaxation.in_segment, std::vector<bool>(2, true));
   model.references.update(body.state);
   const auto good = qualities(body.state.solution);
-  const auto kept =
-    rest_volumes(model.space, model.shapes, anatomy, body.state);
+  const auto kept = rest_volumes(model.body, body.state);
   const auto segments =
-    segment_states(model.space,
-                   model.shapes,
-                   anatomy,
+    segment_states(model.body,
                    model.references,
                    model.space.with_ghosts(body.state.solution));
   for (unsigned int s = 0; s < 2; ++s)

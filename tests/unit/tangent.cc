@@ -79,10 +79,10 @@ end
 
   // A closed segment with hanging nodes, a muscle and liquid, in a state that
   // is no equilibrium.
-  class Body : public Specimen
+  class Sample : public Specimen
   {
   public:
-    explicit Body(const std::string &text)
+    explicit Sample(const std::string &text)
       : Specimen(text)
     {
       state.time = 0.5;
@@ -133,7 +133,7 @@ end
       return body.model->assembler.tangent();
     }
 
-    Body body;
+    Sample body;
   };
 
   INSTANTIATE_TEST_SUITE_P(Loads,
@@ -248,9 +248,9 @@ end
   TEST(Interface, LetsAHydrostaticLiquidSlip)
   {
     const double p0 = 0.01, mu = 1e-9;
-    Body         body(segment + slip +
-              "subsection Tissues\n subsection liquid\n"
-              "  subsection Neo-Hooke\n   set a = 1e-9\n  end\n end\nend\n");
+    Sample       body(segment + slip +
+                "subsection Tissues\n subsection liquid\n"
+                "  subsection Neo-Hooke\n   set a = 1e-9\n  end\n end\nend\n");
     auto        &model = *body.model;
     const auto  &space = model.space;
     Vector       p(space.locally_owned, body.comm), slips(p);
@@ -306,8 +306,8 @@ end
   // added to places that were no longer theirs.
   TEST(Vectors, FollowTheConstraints)
   {
-    Body  body(segment + slip);
-    auto &model = *body.model;
+    Sample body(segment + slip);
+    auto  &model = *body.model;
     for (unsigned int k = 0; k < 3; ++k)
       {
         body.state.solution.add(1., body.random(0.02, k));

@@ -35,10 +35,7 @@ namespace lumbricus
   /** Estimate the error of the solution that @p fields are of, which have to
    * have fields_for_estimate(). Collective. */
   ErrorEstimate
-  estimate_errors(const ErrorEstimator &estimator,
-                  const CellFields     &fields,
-                  const MixedSpace     &space,
-                  const Anatomy        &anatomy);
+  estimate_errors(const ErrorEstimator &estimator, const CellFields &fields);
 } // namespace lumbricus
 
 #endif

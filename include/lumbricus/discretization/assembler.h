@@ -2,7 +2,7 @@
 #ifndef lumbricus_discretization_assembler_h
 #define lumbricus_discretization_assembler_h
 
-#include <lumbricus/anatomy/anatomy.h>
+#include <lumbricus/discretization/body.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/reference_field.h>
 #include <lumbricus/discretization/rounding_level.h>
@@ -54,12 +54,10 @@ namespace lumbricus
     /** All of these are kept by reference, and have to be up to date when they
      * are used: @p references at the time, @p terms at the last state,
      * @p supports at the solution. */
-    Assembler(const MixedSpace         &space,
-              const ShapeCache         &shapes,
-              const Anatomy            &anatomy,
-              SurfaceTerms             &terms,
-              const ReferenceField     &references,
-              const Supports           &supports);
+    Assembler(const Body           &body,
+              SurfaceTerms         &terms,
+              const ReferenceField &references,
+              const Supports       &supports);
 
     /** Set up vectors and the tangent, after every change of the mesh or the
      * constraints. Collective. */
@@ -100,19 +98,18 @@ namespace lumbricus
              const bool      with_tangent);
 
     /**
-     * Subtract the boundary tractions of owned cell @p i, at the displacements
-     * that the kernel has, from its residual and add to its tangent.
+     * Subtract the boundary tractions of @p cell, at the displacements that the
+     * kernel has, from its residual and add to its tangent.
      */
     void
-    add_surface_terms(const dealii::DoFHandler<dim>::active_cell_iterator &cell,
-                      const unsigned int                                   i,
-                      const LoadTime                                      &t,
-                      const bool with_tangent,
-                      double    *residual);
+    add_surface_terms(const OwnedCell &cell,
+                      const LoadTime  &t,
+                      const bool       with_tangent,
+                      double          *residual);
 
     /**
-     * Where the liquid of owned cell @p i slips, the wall holds it by a normal
-     * traction that turns with the surface: add
+     * Where the liquid of @p cell slips, the wall holds it by a normal traction
+     * that turns with the surface: add
      *
      *   -int p N_b . d(cof(F) N) dA
      *
@@ -120,16 +117,12 @@ namespace lumbricus
      * the surface of a hydrostatic liquid is the exact derivative.
      */
     void
-    add_interface_tangent(
-      const dealii::DoFHandler<dim>::active_cell_iterator &cell,
-      const unsigned int                                   i);
+    add_interface_tangent(const OwnedCell &cell);
 
-    const MixedSpace         &space;
-    const ShapeCache         &shapes;
-    const Anatomy            &anatomy;
-    SurfaceTerms             &terms;
-    const ReferenceField     &references;
-    const Supports           &supports;
+    const Body            body;
+    SurfaceTerms         &terms;
+    const ReferenceField &references;
+    const Supports       &supports;
 
     CellUnknowns unknowns;
     Tangent      linearisation;

@@ -57,9 +57,7 @@ namespace lumbricus
    * Collective.
    */
   std::vector<ExternalForce>
-  external_forces(const MixedSpace         &space,
-                  const ShapeCache         &shapes,
-                  const Anatomy            &anatomy,
+  external_forces(const Body               &body,
                   const BoundaryConditions &conditions,
                   SurfaceTerms             &terms,
                   const ReferenceField     &references,

@@ -2,8 +2,7 @@
 #ifndef lumbricus_discretization_mesh_quality_h
 #define lumbricus_discretization_mesh_quality_h
 
-#include <lumbricus/anatomy/anatomy.h>
-#include <lumbricus/discretization/shape_cache.h>
+#include <lumbricus/discretization/body.h>
 
 #include <array>
 #include <vector>
@@ -39,10 +38,7 @@ namespace lumbricus
   /** That of every segment, in the shape X + u, where @p relevant_solution is a
    * ghosted vector, or, without one, at rest. Collective. */
   std::vector<MeshQuality>
-  mesh_qualities(const MixedSpace &space,
-                 const ShapeCache &shapes,
-                 const Anatomy    &anatomy,
-                 const Vector     *relevant_solution);
+  mesh_qualities(const Body &body, const Vector *relevant_solution);
 } // namespace lumbricus
 
 #endif

@@ -8,6 +8,7 @@
 #include <lumbricus/discretization/nested_shape.h>
 
 #include <deal.II/base/index_set.h>
+#include <deal.II/base/iterator_range.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/types.h>
@@ -15,6 +16,7 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/fe/mapping_q_cache.h>
+#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/hp/fe_collection.h>
 
@@ -82,6 +84,11 @@ namespace lumbricus
      * need. Collective. */
     Vector
     with_ghosts(const Vector &solution) const;
+
+    /** A range of the cells of dof_handler that this rank owns. */
+    dealii::IteratorRange<
+      dealii::FilteredIterator<dealii::DoFHandler<dim>::active_cell_iterator>>
+    owned_cells() const;
 
     /** That of the mesh. */
     MPI_Comm

@@ -2,8 +2,7 @@
 #ifndef lumbricus_discretization_reference_field_h
 #define lumbricus_discretization_reference_field_h
 
-#include <lumbricus/anatomy/anatomy.h>
-#include <lumbricus/discretization/shape_cache.h>
+#include <lumbricus/discretization/body.h>
 #include <lumbricus/reference_map/fluid_reset.h>
 
 #include <vector>
@@ -19,10 +18,8 @@ namespace lumbricus
   class ReferenceField
   {
   public:
-    /** On the mesh of @p space; all of these are kept by reference. */
-    ReferenceField(const MixedSpace &space,
-                   const ShapeCache &shapes,
-                   const Anatomy    &anatomy);
+    /** Without points before reinit(). */
+    explicit ReferenceField(const Body &body);
 
     /**
      * Compute the fibre directions, after every change of the mesh.
@@ -56,10 +53,7 @@ namespace lumbricus
     cell(const unsigned int owned_index) const;
 
   private:
-    const MixedSpace &space;
-    const ShapeCache &shapes;
-    const Anatomy    &anatomy;
-
+    const Body                 body;
     std::vector<MaterialPoint> points;
   };
 } // namespace lumbricus

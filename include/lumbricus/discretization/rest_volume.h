@@ -2,8 +2,7 @@
 #ifndef lumbricus_discretization_rest_volume_h
 #define lumbricus_discretization_rest_volume_h
 
-#include <lumbricus/anatomy/anatomy.h>
-#include <lumbricus/discretization/shape_cache.h>
+#include <lumbricus/discretization/body.h>
 
 #include <vector>
 
@@ -18,10 +17,7 @@ namespace lumbricus
    * a reset that forgets the volume. Collective.
    */
   std::vector<double>
-  rest_volumes(const MixedSpace &space,
-               const ShapeCache &shapes,
-               const Anatomy    &anatomy,
-               const State      &state);
+  rest_volumes(const Body &body, const State &state);
 
   /**
    * Scale the shape X + u_vol of the liquid of every segment such that its
@@ -29,9 +25,7 @@ namespace lumbricus
    */
   void
   set_rest_volumes(const std::vector<double> &volumes,
-                   const MixedSpace          &space,
-                   const ShapeCache          &shapes,
-                   const Anatomy             &anatomy,
+                   const Body                &body,
                    State                     &state);
 } // namespace lumbricus
 

@@ -2,8 +2,7 @@
 #ifndef lumbricus_discretization_section_measures_h
 #define lumbricus_discretization_section_measures_h
 
-#include <lumbricus/anatomy/anatomy.h>
-#include <lumbricus/discretization/mixed_space.h>
+#include <lumbricus/discretization/body.h>
 
 #include <vector>
 
@@ -25,9 +24,7 @@ namespace lumbricus
   /** The measures of every segment at @p relevant_solution, a ghosted vector.
    * Collective. */
   std::vector<SectionMeasures>
-  section_measures(const MixedSpace &space,
-                   const Anatomy    &anatomy,
-                   const Vector     &relevant_solution);
+  section_measures(const Body &body, const Vector &relevant_solution);
 } // namespace lumbricus
 
 #endif

@@ -2,9 +2,7 @@
 #ifndef lumbricus_discretization_segment_state_h
 #define lumbricus_discretization_segment_state_h
 
-#include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/discretization/reference_field.h>
-#include <lumbricus/discretization/shape_cache.h>
 
 #include <vector>
 
@@ -38,9 +36,7 @@ namespace lumbricus
   /** The integrals of every segment at @p relevant_solution, a ghosted vector.
    * Collective. */
   std::vector<SegmentState>
-  segment_states(const MixedSpace     &space,
-                 const ShapeCache     &shapes,
-                 const Anatomy        &anatomy,
+  segment_states(const Body           &body,
                  const ReferenceField &references,
                  const Vector         &relevant_solution);
 } // namespace lumbricus

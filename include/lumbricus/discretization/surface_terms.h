@@ -4,6 +4,7 @@
 
 #include <lumbricus/core/load_time.h>
 #include <lumbricus/core/state.h>
+#include <lumbricus/discretization/body.h>
 #include <lumbricus/discretization/surface_kernel.h>
 #include <lumbricus/terms/boundary_conditions.h>
 
@@ -28,8 +29,7 @@ namespace lumbricus
       std::function<void(const unsigned int, const SurfaceResponse &)>;
 
     /** Both are kept by reference. */
-    SurfaceTerms(const MixedSpace         &space,
-                 const BoundaryConditions &conditions);
+    SurfaceTerms(const Body &body, const BoundaryConditions &conditions);
 
     /** After every change of the mesh: remember nothing. set_to() has to
      * follow. */
@@ -55,12 +55,11 @@ namespace lumbricus
 
     /**
      * Call @p listener at the quadrature points of all faces at the boundary of
-     * @p cell, owned cell @p i, for every term that acts there, at the
-     * displacements @p u, [i][n], and time @p t. point() is there then.
+     * @p cell, for every term that acts there, at the displacements @p u,
+     * [i][n], and time @p t. point() is there then.
      */
     void
-    visit(const dealii::DoFHandler<dim>::active_cell_iterator &cell,
-          const unsigned int                                   i,
+    visit(const OwnedCell &cell,
           const double (&u)[dim][ShapeCache::padded_nodes],
           const LoadTime &t,
           const Listener &listener);
@@ -74,8 +73,8 @@ namespace lumbricus
     using AtNodes =
       std::array<dealii::Tensor<1, dim>, MixedSpace::n_nodes>;
 
-    /** Call @p function(cell, i, numbers) for all owned cells at the boundary
-     * with the conditions there that remember, if any. */
+    /** Call @p function(cell, numbers) for all owned cells where conditions
+     * remember, with the numbers of these. */
     template <typename Function>
     void
     for_each_memory(const Function &function) const;
@@ -84,7 +83,7 @@ namespace lumbricus
     std::string
     history_of(const unsigned int i) const;
 
-    const MixedSpace         &space;
+    const Body                body;
     const BoundaryConditions &conditions;
 
     SurfaceKernel  inside; ///< at points of Gauss

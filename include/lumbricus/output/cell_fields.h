@@ -36,9 +36,7 @@ namespace lumbricus
   public:
     /** For @p arrays; there is nothing to see before reinit() and update().
      * All of these are kept by reference, but for the list of arrays. */
-    CellFields(const MixedSpace              &space,
-               const ShapeCache              &shapes,
-               const Anatomy                 &anatomy,
+    CellFields(const Body                    &body,
                const ReferenceField          &references,
                const std::vector<FieldArray> &arrays);
 
@@ -77,11 +75,9 @@ namespace lumbricus
     cell_values(const unsigned int i) const;
 
     /** Where they are. */
-    const MixedSpace &space;
+    const Body body;
 
   private:
-    const ShapeCache     &shapes;
-    const Anatomy        &anatomy;
     const ReferenceField &references;
 
     std::vector<FieldArray> nodal;

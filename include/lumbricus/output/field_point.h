@@ -2,9 +2,7 @@
 #ifndef lumbricus_output_field_point_h
 #define lumbricus_output_field_point_h
 
-#include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/discretization/reference_field.h>
-#include <lumbricus/discretization/shape_cache.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/symmetric_tensor.h>
@@ -62,9 +60,7 @@ namespace lumbricus
    * references have to be those of @p state. Collective.
    */
   void
-  visit_points(const MixedSpace                        &space,
-               const ShapeCache                        &shapes,
-               const Anatomy                           &anatomy,
+  visit_points(const Body                              &body,
                const ReferenceField                    &references,
                const State                             &state,
                const std::function<void(FieldPoint &)> &visit);

@@ -17,16 +17,13 @@ namespace lumbricus
     /** All of these are kept by reference. */
     OutputContext(const State          &state,
                   const StepRecord     &step,
-                  const ShapeCache     &shapes,
-                  const Anatomy        &anatomy,
+                  const Body           &body,
                   const ReferenceField &references,
                   CellFields           &cell_fields);
 
     const State          &state;      ///< that has converged
     const StepRecord     &step;       ///< what the load step took
-    const MixedSpace     &space;      ///< the mesh and its unknowns
-    const ShapeCache     &shapes;     ///< of that mesh
-    const Anatomy        &anatomy;    ///< what the body is made of
+    const Body            body;       ///< mesh, unknowns, tissues
     const ReferenceField &references; ///< of this state
 
     /** All fields at this state; computed when they are first asked for.

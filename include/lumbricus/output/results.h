@@ -25,9 +25,7 @@ namespace lumbricus
      * Collective.
      */
     Results(RunFolder            &folder,
-            const MixedSpace     &space,
-            const ShapeCache     &shapes,
-            const Anatomy        &anatomy,
+            const Body           &body,
             const ReferenceField &references,
             OutputParts          &parts,
             const unsigned int    pictures_every);
@@ -62,9 +60,7 @@ namespace lumbricus
       std::unique_ptr<CsvTable> file;
     };
 
-    const MixedSpace        &space;
-    const ShapeCache        &shapes;
-    const Anatomy           &anatomy;
+    const Body               body;
     const ReferenceField    &references;
     OutputParts             &parts;
     const unsigned int       pictures_every;

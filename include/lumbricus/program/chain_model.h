@@ -96,6 +96,7 @@ namespace lumbricus
     ParallelMesh   triangulation; ///< the mesh at rest
     MixedSpace     space;         ///< the unknowns on it
     ShapeCache     shapes;        ///< their shape functions
+    const Body     body;          ///< both, and the anatomy
     ReferenceField references;    ///< fibres, G and J_v at all points
     Supports       supports;      ///< the constraints
     SurfaceTerms   surface_terms; ///< tractions, and what the skin remembers

@@ -20,9 +20,7 @@ namespace lumbricus
   {
   public:
     /** All of these are kept by reference; call reinit() first. */
-    Equilibrium(const MixedSpace    &space,
-                const ShapeCache    &shapes,
-                const Anatomy       &anatomy,
+    Equilibrium(const Body          &body,
                 Assembler           &assembler,
                 Supports            &supports,
                 LinearSolver        &linear_solver,
@@ -84,9 +82,7 @@ namespace lumbricus
     void
     follow(const Vector &x);
 
-    const MixedSpace    &space;
-    const ShapeCache    &shapes;
-    const Anatomy       &anatomy;
+    const Body           body;
     Assembler           &assembler;
     Supports            &supports;
     LinearSolver        &linear_solver;

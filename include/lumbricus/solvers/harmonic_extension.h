@@ -2,9 +2,8 @@
 #ifndef lumbricus_solvers_harmonic_extension_h
 #define lumbricus_solvers_harmonic_extension_h
 
-#include <lumbricus/anatomy/anatomy.h>
+#include <lumbricus/discretization/body.h>
 #include <lumbricus/discretization/cell_unknowns.h>
-#include <lumbricus/discretization/shape_cache.h>
 
 #include <vector>
 
@@ -24,9 +23,7 @@ namespace lumbricus
    * the liquid of the segments. Collective.
    */
   CellVector
-  harmonic_correction(const MixedSpace        &space,
-                      const ShapeCache        &shapes,
-                      const Anatomy           &anatomy,
+  harmonic_correction(const Body              &body,
                       const CellUnknowns      &unknowns,
                       const Vector            &relevant_solution,
                       const std::vector<bool> &in_segment);

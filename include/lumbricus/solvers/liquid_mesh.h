@@ -2,11 +2,10 @@
 #ifndef lumbricus_solvers_liquid_mesh_h
 #define lumbricus_solvers_liquid_mesh_h
 
-#include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/discretization/body.h>
 #include <lumbricus/discretization/cell_unknowns.h>
 #include <lumbricus/discretization/mesh_quality.h>
-#include <lumbricus/discretization/shape_cache.h>
 
 #include <vector>
 
@@ -40,11 +39,7 @@ namespace lumbricus
     /** Relax the mesh of those segments whose quality asks for it, and is
      * better then. Collective. */
     Relaxation
-    relax(const MixedSpace   &space,
-          const ShapeCache   &shapes,
-          const Anatomy      &anatomy,
-          const CellUnknowns &unknowns,
-          State              &state) const;
+    relax(const Body &body, const CellUnknowns &unknowns, State &state) const;
 
   private:
     double relax_below = 1.;

@@ -59,9 +59,7 @@ namespace lumbricus
           Equilibrium         &equilibrium,
           const Newton        &newton,
           ReferenceField      &references,
-          const MixedSpace    &space,
-          const ShapeCache    &shapes,
-          const Anatomy       &anatomy,
+          const Body          &body,
           dealii::TimerOutput &timer) const;
 
     /** Call @p new_listener after every solve. */
@@ -72,9 +70,7 @@ namespace lumbricus
      * it asks for it, which is a reset too. Collective. */
     LiquidMesh::Relaxation
     relax_mesh(State              &state,
-               const MixedSpace   &space,
-               const ShapeCache   &shapes,
-               const Anatomy      &anatomy,
+               const Body         &body,
                const CellUnknowns &unknowns) const;
 
   private:
@@ -82,8 +78,7 @@ namespace lumbricus
     void
     reset(State                   &state,
           const std::vector<bool> &in_segment,
-          const MixedSpace        &space,
-          const Anatomy           &anatomy) const;
+          const Body              &body) const;
 
     /** Throw ExcNotConverged where segments that diverge do so more and more,
      * or there have been as many resets as there may be. */

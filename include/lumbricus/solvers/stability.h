@@ -2,8 +2,7 @@
 #ifndef lumbricus_solvers_stability_h
 #define lumbricus_solvers_stability_h
 
-#include <lumbricus/anatomy/anatomy.h>
-#include <lumbricus/discretization/shape_cache.h>
+#include <lumbricus/discretization/body.h>
 #include <lumbricus/solvers/linear_solver.h>
 
 #include <string>
@@ -26,11 +25,9 @@ namespace lumbricus
   {
   public:
     /** Of the linearisation @p tangent, with which @p linear_solver solves. */
-    Stability(const MixedSpace &space,
-              const ShapeCache &shapes,
-              const Anatomy    &anatomy,
-              const Tangent    &tangent,
-              LinearSolver     &linear_solver);
+    Stability(const Body    &body,
+              const Tangent &tangent,
+              LinearSolver  &linear_solver);
 
     /** A motion and its stiffness. */
     struct Motion
@@ -70,11 +67,9 @@ namespace lumbricus
     CellVector
     mass(const CellVector &v) const;
 
-    const MixedSpace &space;
-    const ShapeCache &shapes;
-    const Anatomy    &anatomy;
-    const Tangent    &tangent;
-    LinearSolver     &linear_solver;
+    const Body     body;
+    const Tangent &tangent;
+    LinearSolver  &linear_solver;
   };
 } // namespace lumbricus
 

@@ -227,7 +227,7 @@ namespace lumbricus
   void
   Vtu::write(const State &state, const CellFields &fields)
   {
-    const MixedSpace  &space   = fields.space;
+    const MixedSpace  &space   = fields.body.space;
     const MPI_Comm     comm    = space.communicator();
     const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(comm);
     const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(comm);

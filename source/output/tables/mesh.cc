@@ -50,8 +50,8 @@ namespace lumbricus
         {
           AdaptationRecord at_first;
           at_first.n_cells =
-            context.space.triangulation.n_global_active_cells();
-          at_first.n_unknowns = context.space.dof_handler.n_dofs();
+            context.body.space.triangulation.n_global_active_cells();
+          at_first.n_unknowns = context.body.space.dof_handler.n_dofs();
           at_first.converged  = true;
           write_row(0, at_first);
         }

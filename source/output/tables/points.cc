@@ -181,7 +181,9 @@ namespace lumbricus
                 fe.shape_value(i, places[k].unit_point);
           }
       }
-    dealii::Utilities::MPI::sum(values, context.space.communicator(), values);
+    dealii::Utilities::MPI::sum(values,
+                                context.body.space.communicator(),
+                                values);
 
     for (unsigned int k = 0; k < places.size(); ++k)
       {

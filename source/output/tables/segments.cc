@@ -14,19 +14,12 @@ namespace lumbricus
     ResetIteration::Solve
     at_rest(const OutputContext &context)
     {
-      const Vector relevant = context.space.with_ghosts(context.state.solution);
+      const Body  &body     = context.body;
+      const Vector relevant = body.space.with_ghosts(context.state.solution);
       ResetIteration::Solve solve;
-      solve.segments = segment_states(context.space,
-                                      context.shapes,
-                                      context.anatomy,
-                                      context.references,
-                                      relevant);
-      solve.measures =
-        section_measures(context.space, context.anatomy, relevant);
-      solve.qualities = mesh_qualities(context.space,
-                                       context.shapes,
-                                       context.anatomy,
-                                       &relevant);
+      solve.segments  = segment_states(body, context.references, relevant);
+      solve.measures  = section_measures(body, relevant);
+      solve.qualities = mesh_qualities(body, &relevant);
       solve.divergence.assign(solve.segments.size(), 0.);
       return solve;
     }
