@@ -10,14 +10,14 @@ from lumbricus_run import SOURCE, run_well
 HERE = pathlib.Path(__file__).parent
 BLOCK = SOURCE / "parameters" / "block_compression" / "case.prm"
 
-# Newton iterations, linear iterations, factorisations. Measured: 31, 174, 5 and 54, 282, 3
-# on one rank; the same and 55, 304, 3 on two,
-# where the order of additions varies.
+# Newton iterations, linear iterations, factorisations. Measured: 31, 174, 5 and 55, 324, 3
+# on one rank. On two ranks MUMPS adds as messages come: 54 to 57, 313 to 350 and 3 to 4
+# for the chain in 18 runs on Debian 12 and 13. A bound of 340 failed there now and then.
 CASES = {
     "block": (BLOCK, ["Geometry/block/Cells=4, 4, 4",
                       "Newton/Volume tolerance=1e-9",
                       "Newton/Predictor order=2"], 32, 200, 6),
-    "chain": (HERE / "chain.prm", [], 57, 340, 5),
+    "chain": (HERE / "chain.prm", [], 58, 365, 5),
 }
 
 
