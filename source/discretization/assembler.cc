@@ -18,10 +18,12 @@ namespace lumbricus
 
   Assembler::Assembler(const Body           &body,
                        SurfaceTerms         &terms,
+                       const VolumeTerms    &volume_terms,
                        const ReferenceField &references,
                        const Supports       &supports)
     : body(body)
     , terms(terms)
+    , volume_terms(volume_terms)
     , references(references)
     , supports(supports)
     , unknowns(body.space)
@@ -38,7 +40,8 @@ namespace lumbricus
     unknowns.reinit(supports.constraints());
     linearisation.reinit();
     rounding.reinit(body.shapes);
-    linearisation.symmetric = terms.symmetric();
+    linearisation.symmetric =
+      terms.symmetric() && volume_terms.symmetric();
     for (CellVector *x : {&u, &sum, &rhs})
       unknowns.reinit_vector(*x);
   }
@@ -139,6 +142,8 @@ namespace lumbricus
         kernel->get_residual(values);
         if (cell.iterator->at_boundary())
           add_surface_terms(cell, t, with_tangent, values);
+        if (volume_terms.act_in(cell))
+          add_volume_terms(cell, t, with_tangent, values);
 
         if (with_tangent)
           {
@@ -206,6 +211,39 @@ namespace lumbricus
             }
     };
     terms.visit(cell, kernel->u, t, add);
+  }
+
+
+
+  void
+  Assembler::add_volume_terms(const OwnedCell &cell,
+                              const LoadTime  &t,
+                              const bool       with_tangent,
+                              double          *residual)
+  {
+    volume_terms.visit(
+      cell,
+      kernel->u,
+      t,
+      [&](const unsigned int /*force*/,
+          const VolumeTerms::Point &point,
+          const VolumeResponse     &response) {
+        for (unsigned int n = 0; n < n_nodes; ++n)
+          for (unsigned int c = 0; c < dim; ++c)
+            residual[CellUnknowns::displacement(c, n)] -=
+              point.JxW * point.values[n] * response.b[c];
+        if (!with_tangent || !response.depends_on_place())
+          return;
+        auto &matrix = linearisation.surface_matrix(cell.index);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int k = 0; k < dim; ++k)
+            for (unsigned int m = 0; m < n_nodes; ++m)
+              for (unsigned int n = 0; n < n_nodes; ++n)
+                matrix[CellUnknowns::displacement(c, n) * n_per_cell +
+                       CellUnknowns::displacement(k, m)] -=
+                  point.JxW * point.values[n] * point.values[m] *
+                  response.db_du[c][k];
+      });
   }
 
 

@@ -14,6 +14,7 @@ namespace lumbricus
     std::vector<ExternalForce>
     everything_that_acts(const Geometry           &geometry,
                          const BoundaryConditions &conditions,
+                         const BodyForces         &body_forces,
                          const Supports           &supports)
     {
       std::vector<ExternalForce> all;
@@ -35,6 +36,8 @@ namespace lumbricus
           all.back().X         = point.X;
           all.back().direction = point.direction;
         }
+      for (unsigned int i = 0; i < body_forces.n_forces(); ++i)
+        add(ExternalForce::Kind::body_force, body_forces.force(i).name);
       return all;
     }
 
@@ -92,6 +95,8 @@ namespace lumbricus
   external_forces(const Body               &body,
                   const BoundaryConditions &conditions,
                   SurfaceTerms             &terms,
+                  const BodyForces         &body_forces,
+                  const VolumeTerms        &volume_terms,
                   const ReferenceField     &references,
                   const Supports           &supports,
                   const Vector             &solution,
@@ -100,9 +105,12 @@ namespace lumbricus
     const MixedSpace &space    = body.space;
     const ShapeCache &shapes   = body.shapes;
     const Geometry   &geometry = body.anatomy.geometry();
-    auto all = everything_that_acts(geometry, conditions, supports);
+    auto all =
+      everything_that_acts(geometry, conditions, body_forces, supports);
     const unsigned int n_conditions = conditions.n_conditions();
     const unsigned int n_planes     = geometry.symmetry_planes().size();
+
+    const unsigned int first_body_force = all.size() - body_forces.n_forces();
 
     const Vector      relevant = space.with_ghosts(solution);
     const auto        links    = supports.links();
@@ -123,7 +131,8 @@ namespace lumbricus
             return held[space.locally_relevant.index_within_set(index)] ||
                    links.is_constrained(index);
           });
-        if (!supported && !cell.iterator->at_boundary())
+        const bool is_pulled = volume_terms.act_in(cell);
+        if (!supported && !is_pulled && !cell.iterator->at_boundary())
           continue;
 
         kernel.read(space, cell.iterator, relevant, indices);
@@ -151,6 +160,21 @@ namespace lumbricus
               for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
                 of_cell(space.displacement_dof[c][n]) -= point.values[n] * f[c];
           });
+        if (is_pulled)
+          volume_terms.visit(
+            cell,
+            kernel.u,
+            t,
+            [&](const unsigned int        force,
+                const VolumeTerms::Point &point,
+                const VolumeResponse     &response) {
+              const auto f = point.JxW * response.b;
+              all[first_body_force + force].add(point.x, f);
+              for (unsigned int c = 0; c < dim; ++c)
+                for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+                  of_cell(space.displacement_dof[c][n]) -=
+                    point.values[n] * f[c];
+            });
         if (supported)
           links.distribute_local_to_global(of_cell, indices, nodal);
       }

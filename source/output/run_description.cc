@@ -243,6 +243,19 @@ namespace lumbricus
 
 
   void
+  RunDescription::describe_body_forces(const BodyForces &forces)
+  {
+    body_forces = JsonValue::array();
+    for (unsigned int i = 0; i < forces.n_forces(); ++i)
+      body_forces.append(JsonValue::object()
+                           .add("name", forces.force(i).name)
+                           .add("tissues", forces.force(i).tissues)
+                           .add("type", forces.force(i).type.chosen_name()));
+  }
+
+
+
+  void
   RunDescription::describe_parameters(
     const std::vector<ParameterEntry> &entries)
   {
@@ -278,6 +291,7 @@ namespace lumbricus
         .add("restart", restart)
         .add("body", body)
         .add("boundary_conditions", boundary_conditions)
+        .add("body_forces", body_forces)
         .add("where_the_time_went", all_of(status.costs))
         .add("parameters", parameters);
     folder.on_first_rank([&]() {

@@ -21,7 +21,8 @@ namespace lumbricus
                parameters.interface_coupling,
                parameters.boundary_conditions)
     , surface_terms(body, parameters.boundary_conditions)
-    , assembler(body, surface_terms, references, supports)
+    , volume_terms(body, parameters.body_forces)
+    , assembler(body, surface_terms, volume_terms, references, supports)
     , equilibrium(body,
                   assembler,
                   supports,
@@ -54,8 +55,13 @@ namespace lumbricus
     parameters.symmetry_check.check(space,
                                     parameters.anatomy,
                                     parameters.boundary_conditions,
+                                    parameters.body_forces,
                                     times);
-    check_load_balance(space, parameters.boundary_conditions, supports, times);
+    check_load_balance(body,
+                       parameters.boundary_conditions,
+                       parameters.body_forces,
+                       supports,
+                       times);
     parameters.follow_loads(triangulation);
   }
 
@@ -130,6 +136,7 @@ namespace lumbricus
     references.update(state, t);
     surface_terms.set_to(state);
     parameters.boundary_conditions.try_expressions(triangulation, {t.to()});
+    parameters.body_forces.try_expressions(triangulation, {t.to()});
     equilibrium.set_time(t, guess);
     const Vector start  = state.solution;
     const auto   report = parameters.reset_iteration.solve(
@@ -152,6 +159,8 @@ namespace lumbricus
     return external_forces(body,
                            parameters.boundary_conditions,
                            surface_terms,
+                           parameters.body_forces,
+                           volume_terms,
                            references,
                            supports,
                            state.solution,

@@ -8,11 +8,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iomanip>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace lumbricus
 {
+  using dealii::Point;
   using dealii::Tensor;
 
   namespace
@@ -28,20 +32,24 @@ namespace lumbricus
 
 
 
-    // A quadrature point of a surface with a traction.
+    // A quadrature point where something pulls.
     struct LoadPoint
     {
-      unsigned int condition;
-      SurfacePoint point;
-      double       JxW;
+      // Its number among the boundary conditions, or the body forces behind
+      // them.
+      unsigned int load;
+      Point<dim>   X;
+      // The force at a time, and whether it follows the deformation.
+      std::function<std::pair<Tensor<1, dim>, bool>(const double)> force;
     };
 
 
 
-    std::vector<LoadPoint>
-    load_points(const MixedSpace &space, const BoundaryConditions &conditions)
+    void
+    add_tractions(const MixedSpace         &space,
+                  const BoundaryConditions &conditions,
+                  std::vector<LoadPoint>   &points)
     {
-      std::vector<LoadPoint>    points;
       dealii::FEFaceValues<dim> face_values(space.mapping,
                                             space.fe,
                                             space.face_quadrature,
@@ -50,25 +58,66 @@ namespace lumbricus
                                               dealii::update_JxW_values);
       for (const auto &cell : space.owned_cells())
         for (const auto &face : cell->face_iterators())
-          for (unsigned int i = 0; i < conditions.n_conditions(); ++i)
-            {
-              const NamedCondition &load = conditions.condition(i);
-              if (!face->at_boundary() ||
-                  face->boundary_id() != load.boundary ||
-                  load.surface_term() == nullptr)
-                continue;
-              face_values.reinit(mesh_cell(cell), face);
-              for (const unsigned int q :
-                   face_values.quadrature_point_indices())
-                {
-                  SurfacePoint point;
-                  point.X = face_values.quadrature_point(q);
-                  point.N = face_values.normal_vector(q);
-                  point.F = dealii::unit_symmetric_tensor<dim, double>();
-                  points.push_back({i, point, face_values.JxW(q)});
-                }
-            }
-      return points;
+          if (face->at_boundary())
+            for (const unsigned int i :
+                 conditions.surface_terms_on(face->boundary_id()))
+              {
+                face_values.reinit(mesh_cell(cell), face);
+                for (const unsigned int q :
+                     face_values.quadrature_point_indices())
+                  {
+                    SurfacePoint point;
+                    point.X = face_values.quadrature_point(q);
+                    point.N = face_values.normal_vector(q);
+                    point.F = dealii::unit_symmetric_tensor<dim, double>();
+                    points.push_back(
+                      {i,
+                       point.X,
+                       [&term = *conditions.condition(i).surface_term(),
+                        point,
+                        JxW = face_values.JxW(q)](const double t) {
+                         SurfacePoint at = point;
+                         at.t            = t;
+                         SurfaceResponse response;
+                         term.surface(at, response);
+                         return std::make_pair(
+                           Tensor<1, dim>(JxW * response.T),
+                           response.depends_on_shape());
+                       }});
+                  }
+              }
+    }
+
+
+
+    void
+    add_body_forces(const Body             &body,
+                    const BodyForces       &forces,
+                    const unsigned int      first_number,
+                    std::vector<LoadPoint> &points)
+    {
+      for (const OwnedCell cell : body.owned_cells())
+        for (unsigned int i = 0; i < forces.n_forces(); ++i)
+          if (forces.force(i).acts_in[cell.region.tissue])
+            for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
+              {
+                VolumePoint point;
+                point.X = body.shapes.quadrature_point(cell.index, q);
+                points.push_back(
+                  {first_number + i,
+                   point.X,
+                   [&term = *forces.force(i).type,
+                    point,
+                    JxW = body.shapes.cell(cell.index).JxW[q]](
+                     const double t) {
+                     VolumePoint at = point;
+                     at.t           = t;
+                     VolumeResponse response;
+                     term.volume(at, response);
+                     return std::make_pair(Tensor<1, dim>(JxW * response.b),
+                                           response.depends_on_place());
+                   }});
+              }
     }
 
 
@@ -106,16 +155,25 @@ namespace lumbricus
 
 
   void
-  check_load_balance(const MixedSpace          &space,
+  check_load_balance(const Body                &body,
                      const BoundaryConditions  &conditions,
+                     const BodyForces          &forces,
                      const Supports            &supports,
                      const std::vector<double> &all_times)
   {
     const RigidMotions &held = supports.held_without_minimal_support();
     if (held.all_held())
       return;
-    const MPI_Comm comm   = space.communicator();
-    auto           points = load_points(space, conditions);
+    const MPI_Comm           comm = body.space.communicator();
+    const unsigned int       n_conditions = conditions.n_conditions();
+    std::vector<LoadPoint>   points;
+    add_tractions(body.space, conditions, points);
+    add_body_forces(body, forces, n_conditions, points);
+    std::vector<std::string> names;
+    for (unsigned int i = 0; i < n_conditions; ++i)
+      names.push_back(conditions.condition(i).name);
+    for (unsigned int i = 0; i < forces.n_forces(); ++i)
+      names.push_back(forces.force(i).name);
 
     // As many times as take no time.
     const double n_points =
@@ -135,27 +193,23 @@ namespace lumbricus
       }
 
     // For every time: the resultant, the sum of magnitudes, and what follows
-    // the deformation; then the magnitude of every condition.
+    // the deformation; then the magnitude of every load.
     constexpr unsigned int n_of_row = 2 * dim;
-    const unsigned int     n        = conditions.n_conditions();
+    const unsigned int     n        = names.size();
     const std::size_t      block    = n_of_row + 2 + n;
     std::vector<double>    sums(block * times.size(), 0.);
-    for (LoadPoint &load : points)
+    for (const LoadPoint &point : points)
       for (std::size_t k = 0; k < times.size(); ++k)
         {
-          double         *sum = sums.data() + k * block;
-          SurfaceResponse response;
-          load.point.t = times[k];
-          conditions.condition(load.condition)
-            .surface_term()
-            ->surface(load.point, response);
-          const auto row = held.row(load.point.X, load.JxW * response.T);
+          double *sum                   = sums.data() + k * block;
+          const auto &[force, follows] = point.force(times[k]);
+          const auto row                = held.row(point.X, force);
           for (unsigned int i = 0; i < n_of_row; ++i)
             sum[i] += row[i];
           sum[n_of_row] += norm(row);
-          if (response.depends_on_shape())
+          if (follows)
             sum[n_of_row + 1] += norm(row);
-          sum[n_of_row + 2 + load.condition] += norm(row);
+          sum[n_of_row + 2 + point.load] += norm(row);
         }
     dealii::Utilities::MPI::sum(sums, comm, sums);
 
@@ -185,8 +239,7 @@ namespace lumbricus
     for (unsigned int i = 0; i < n; ++i)
       if (sums[worst * block + n_of_row + 2 + i] > 0.)
         {
-          message << (first ? " '" : ", '") << conditions.condition(i).name
-                  << "'";
+          message << (first ? " '" : ", '") << names[i] << "'";
           first = false;
         }
     message << " add up to the force "

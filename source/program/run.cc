@@ -339,6 +339,7 @@ namespace lumbricus
         description->describe_body(parameters.anatomy,
                                    parameters.boundary_conditions,
                                    problem.mesh());
+        description->describe_body_forces(parameters.body_forces);
         description->describe_parameters(file.entries(places));
         problem.prepare(*folder, checkpoint.get());
         leave_if_interrupted_before_begin(comm);

@@ -25,6 +25,7 @@ namespace lumbricus
     adaptivity.declare_parameters(prm);
     interface_coupling.declare_parameters(prm);
     boundary_conditions.declare_parameters(prm);
+    body_forces.declare_parameters(prm);
     symmetry_check.declare_parameters(prm);
     load_stepping.declare_parameters(prm);
     load_curves.declare_parameters(prm);
@@ -66,6 +67,7 @@ namespace lumbricus
     bool extended = anatomy.extend_parameters(prm, extent);
     extended |= adaptivity.extend_parameters(prm, extent);
     extended |= boundary_conditions.extend_parameters(prm, extent);
+    extended |= body_forces.extend_parameters(prm, extent);
     prm.enter_subsection("Linear solver");
     extended |= linear_solver.extend_parameters(prm, extent);
     prm.leave_subsection();
@@ -83,6 +85,7 @@ namespace lumbricus
     anatomy.check_parameters();
     adaptivity.check_parameters();
     boundary_conditions.check_parameters();
+    body_forces.check_parameters();
     load_stepping.check_parameters();
     within_section("Linear solver",
                    [&]() { linear_solver.check_parameters(); });
@@ -98,6 +101,7 @@ namespace lumbricus
     mesh_refinement.initialize();
     adaptivity.initialize(anatomy, mesh_refinement.n_global_refinements());
     boundary_conditions.initialize(anatomy.geometry());
+    body_forces.initialize(anatomy.geometry());
     output_parts.initialize(anatomy);
   }
 
@@ -122,6 +126,7 @@ namespace lumbricus
     const auto times = times_to_try();
     anatomy.try_activations(triangulation, times);
     boundary_conditions.try_expressions(triangulation, times);
+    body_forces.try_expressions(triangulation, times);
   }
 
 
@@ -133,6 +138,8 @@ namespace lumbricus
     std::vector<LoadCurve> curves = anatomy.load_curves(triangulation);
     for (const LoadCurve &curve :
          boundary_conditions.load_curves(triangulation))
+      curves.push_back(curve);
+    for (const LoadCurve &curve : body_forces.load_curves(triangulation))
       curves.push_back(curve);
     load_curves.follow(curves,
                        load_stepping.end_time(),

@@ -384,6 +384,44 @@ namespace lumbricus
             }
       return "";
     }
+    std::string
+    asymmetric_force(const NamedBodyForce      &force,
+                     const Plane               &plane,
+                     const MixedSpace          &space,
+                     const Anatomy             &anatomy,
+                     const std::vector<double> &times)
+    {
+      // The middle of faces on the plane.
+      std::vector<Point<dim>> points;
+      for_each_boundary_face(space, [&](const auto &cell, const auto &face) {
+        if (face->boundary_id() == plane.boundary &&
+            force.acts_in[Region::of(cell->material_id()).tissue])
+          points.push_back(face->center());
+      });
+      thin_out(points);
+
+      const unsigned int d = plane.direction;
+      for (const Point<dim> &X : points)
+        for (const double t : times)
+          {
+            VolumePoint point;
+            point.X = X;
+            point.t = t;
+            VolumeResponse response;
+            force.type->volume(point, response);
+            if (!(std::abs(response.b[d]) > tolerance * response.b.norm()))
+              continue;
+            std::ostringstream message;
+            message << "The body force '" << force.name
+                    << "' is not symmetric to " << plane.name()
+                    << ": at time " << t << " at " << point_text(X)
+                    << " its part along the normal, b" << "xyz"[d] << " = "
+                    << response.b[d] << " N/mm^3, has to be zero there. "
+                    << anatomy.geometry().way_without_symmetry();
+            return message.str();
+          }
+      return "";
+    }
   } // namespace
 
 
@@ -394,8 +432,8 @@ namespace lumbricus
     prm.enter_subsection("Boundary conditions");
     prm.add_parameter("Check symmetry",
                       required,
-                      "Whether to refuse muscles and tractions that do not go "
-                      "on smoothly in the mirror image of the body at a plane "
+                      "Whether to refuse muscles, tractions and body forces "
+                      "that do not go on smoothly in the mirror image of the body at a plane "
                       "of symmetry, such as helical fibres at a quarter of a "
                       "cross-section. 'false' where that mirror image is "
                       "meant: the fibres of a bipennate muscle.");
@@ -408,6 +446,7 @@ namespace lumbricus
   SymmetryCheck::check(const MixedSpace          &space,
                        const Anatomy             &anatomy,
                        const BoundaryConditions  &conditions,
+                       const BodyForces          &forces,
                        const std::vector<double> &times) const
   {
     std::string message;
@@ -421,6 +460,11 @@ namespace lumbricus
                ++i)
             message = asymmetric_load(
               conditions.condition(i), plane, space, anatomy, times, required);
+          for (unsigned int i = 0;
+               required && i < forces.n_forces() && message.empty();
+               ++i)
+            message =
+              asymmetric_force(forces.force(i), plane, space, anatomy, times);
         }
       catch (const ExcInput &exception)
         {

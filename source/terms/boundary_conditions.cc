@@ -2,6 +2,7 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/patterns.h>
 #include <lumbricus/terms/boundary_conditions.h>
+#include <lumbricus/terms/tried_expressions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,34 +39,6 @@ namespace lumbricus
       static const std::vector<unsigned int> none;
       const auto                             found = conditions.find(id);
       return found == conditions.end() ? none : found->second;
-    }
-
-
-
-    // Why the values of a condition at @p points and @p times cannot be used;
-    // empty if they can.
-    std::string
-    bad_value(const BoundaryCondition               &condition,
-              const std::vector<dealii::Point<dim>> &points,
-              const std::vector<double>             &times)
-    {
-      for (const Expression &expression : condition.expressions())
-        for (const dealii::Point<dim> &X : points)
-          for (const double t : times)
-            {
-              const double value = expression.value(X, t);
-              if (std::isfinite(value))
-                continue;
-              std::ostringstream message;
-              message << "Parameter '" << expression.parameter()
-                      << "': the expression '" << expression.formula()
-                      << "' is " << value << " at time " << t << ", X = ("
-                      << X[0] << ", " << X[1] << ", " << X[2]
-                      << "). Change it so that it is a number on the whole "
-                         "boundary from time 0 to the end.";
-              return message.str();
-            }
-      return "";
     }
   } // namespace
 
@@ -233,20 +206,12 @@ namespace lumbricus
           if (face->at_boundary())
             centers[face->boundary_id()].push_back(face->center(true));
 
-    // Not more of them than take no time.
-    constexpr std::size_t most_points = 200;
-    for (auto &[id, points] : centers)
-      {
-        const std::size_t stride = 1 + points.size() / most_points;
-        for (std::size_t i = 0; i * stride < points.size(); ++i)
-          points[i] = points[i * stride];
-        points.resize((points.size() + stride - 1) / stride);
-      }
-
     std::string message;
     for (unsigned int i = 0; i < conditions.size() && message.empty(); ++i)
-      message =
-        bad_value(*conditions[i].type, centers[conditions[i].boundary], times);
+      message = value_that_is_not_finite(conditions[i].type->expressions(),
+                                         centers[conditions[i].boundary],
+                                         times,
+                                         "on the whole boundary");
     throw_on_all_ranks<ExcInput>(message, triangulation.get_communicator());
   }
 
@@ -287,15 +252,7 @@ namespace lumbricus
         const auto points = some_of(centers[conditions[i].boundary], most_points);
         if (conditions[i].surface_term() != nullptr)
           for (const Expression &expression : conditions[i].type->expressions())
-            {
-              LoadCurve curve;
-              curve.what = "'" + expression.parameter() + "'";
-              for (const dealii::Point<dim> &X : points)
-                curve.values.push_back([expression, X](const double t) {
-                  return expression.value(X, t);
-                });
-              curves.push_back(curve);
-            }
+            curves.push_back(curve_of(expression, points));
         const auto *condition = conditions[i].prescribed_displacement();
         for (unsigned int c = 0; c < dim; ++c)
           if (condition != nullptr && condition->components()[c])

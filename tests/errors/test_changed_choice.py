@@ -13,7 +13,8 @@ from mistakes import ManyRuns
 
 HERE = pathlib.Path(__file__).resolve().parent
 BLOCK = HERE / "block.prm"
-SHORT = ["Time/End=0.01", "Time/First step=0.01", "Adaptivity/Every=1"]
+SHORT = ["Time/End=0.01", "Time/First step=0.01", "Adaptivity/Every=1",
+         "Body forces/Names=weight", "Body forces/weight/Type=dead body force"]
 UNUSED = "Not used, because of --set: "
 
 runs = ManyRuns()
@@ -60,13 +61,15 @@ CHOICES = choices()
 def in_block(parameter):
     """The parameter with the names that the block has."""
     return parameter.replace("<tissue>", "flesh").replace(
-        "<muscle>", "biceps").replace("<load or support>", "push")
+        "<muscle>", "biceps").replace("<load or support>", "push").replace(
+            "<body force>", "weight")
 
 
 def test_all_choices_are_found():
     assert {"Geometry/Shape", "Tissues/<tissue>/Law", "Muscles/<muscle>/Fibres",
             "Muscles/<muscle>/Active stretch", "Linear solver/Method",
-            "Boundary conditions/<load or support>/Type", "Adaptivity/Marking",
+            "Boundary conditions/<load or support>/Type",
+            "Body forces/<body force>/Type", "Adaptivity/Marking",
             "Adaptivity/Estimator"} <= {
                 parameter for parameter, _ in CHOICES}
 

@@ -42,7 +42,7 @@ def test_what_it_is(chain):
     result, ranks = chain
     found = described(result.folder)
     assert list(found) == ["format", "program", "title", "status", "restart",
-                           "body", "boundary_conditions",
+                           "body", "boundary_conditions", "body_forces",
                            "where_the_time_went", "parameters"]
     assert found["format"] == 1
     assert found["title"] == 'A "worm" of 2 mm², \\ and µm'
@@ -69,7 +69,7 @@ def test_what_it_is(chain):
                      "activation": "expression"}],
         "boundaries": found["body"]["boundaries"]}
     assert "skin" in found["body"]["boundaries"]
-    assert found["boundary_conditions"] == []
+    assert found["boundary_conditions"] == found["body_forces"] == []
 
 
 def test_how_it_went(chain):

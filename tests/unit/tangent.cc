@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The linearisation of equilibrium as an operator, as matrices of cells, and
 // as what the linear solvers solve: against finite differences and each other.
+#include <lumbricus/core/registry.h>
+#include <lumbricus/terms/volume_term.h>
+
 #include <deal.II/base/utilities.h>
 
 #include <gtest/gtest.h>
@@ -62,6 +65,54 @@ subsection Boundary conditions
       set Pressure = 0.01*t
     end
   end
+end
+)";
+
+  // A force that follows the place, and not as springs do.
+  class Whirl : public VolumeTerm
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler & /*prm*/) override
+    {}
+
+    void
+    initialize(const std::string & /*name*/) override
+    {}
+
+    std::vector<Expression>
+    expressions() const override
+    {
+      return {};
+    }
+
+    void
+    volume(const VolumePoint &point, VolumeResponse &response) const override
+    {
+      response.db_du[0][1] = 0.02;
+      response.db_du[1][0] = -0.05;
+      response.db_du[2][2] = 0.03 * point.t.to();
+      response.b           = response.db_du * (point.X + point.u);
+    }
+
+    bool
+    symmetric() const override
+    {
+      return false;
+    }
+  };
+
+  const Register<VolumeTerm, Whirl> whirl_term("whirl", "for this test.");
+
+  const std::string whirl = R"(
+subsection Body forces
+  set Names = turn
+  subsection turn
+    set Type = whirl
+  end
+end
+subsection Boundary conditions
+  set Check symmetry = false
 end
 )";
 
@@ -140,6 +191,7 @@ end
                            Tangents,
                            ::testing::Values("",
                                              pressure.c_str(),
+                                             whirl.c_str(),
                                              slip.c_str(),
                                              reference_slip.c_str()));
 
@@ -177,7 +229,8 @@ end
     tangent().vmult(Ka, a);
     tangent().vmult(Kb, b);
     const double scale = Ka.l2_norm() * b.l2_norm();
-    EXPECT_EQ(tangent().symmetric, GetParam() != pressure);
+    EXPECT_EQ(tangent().symmetric,
+              GetParam() != pressure && GetParam() != whirl);
     if (tangent().symmetric)
       EXPECT_NEAR(Ka * b, Kb * a, 1e-14 * scale);
     else

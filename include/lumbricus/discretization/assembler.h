@@ -10,6 +10,7 @@
 #include <lumbricus/discretization/surface_terms.h>
 #include <lumbricus/discretization/surface_kernel.h>
 #include <lumbricus/discretization/tangent.h>
+#include <lumbricus/discretization/volume_terms.h>
 
 #include <memory>
 
@@ -18,7 +19,8 @@ namespace lumbricus
   /**
    * The weak form of equilibrium and of the volume constraint,
    *
-   *   r_u = int P : Grad du dV - int T . du dA,    r_p = int c dp dV,
+   *   r_u = int P : Grad du dV - int b . du dV - int T . du dA,
+   *   r_p = int c dp dV,
    *
    * and its exact linearisation. It sees F, p, material points and a tissue;
    * whether a cell is muscle or liquid it never asks.
@@ -56,6 +58,7 @@ namespace lumbricus
      * @p supports at the solution. */
     Assembler(const Body           &body,
               SurfaceTerms         &terms,
+              const VolumeTerms    &volume_terms,
               const ReferenceField &references,
               const Supports       &supports);
 
@@ -107,6 +110,13 @@ namespace lumbricus
                       const bool       with_tangent,
                       double          *residual);
 
+    /** The same with the body forces in the cell. */
+    void
+    add_volume_terms(const OwnedCell &cell,
+                     const LoadTime  &t,
+                     const bool       with_tangent,
+                     double          *residual);
+
     /**
      * Where the liquid of @p cell slips, the wall holds it by a normal traction
      * that turns with the surface: add
@@ -121,6 +131,7 @@ namespace lumbricus
 
     const Body            body;
     SurfaceTerms         &terms;
+    const VolumeTerms    &volume_terms;
     const ReferenceField &references;
     const Supports       &supports;
 

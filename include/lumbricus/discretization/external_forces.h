@@ -5,6 +5,7 @@
 #include <lumbricus/discretization/reference_field.h>
 #include <lumbricus/discretization/supports.h>
 #include <lumbricus/discretization/surface_terms.h>
+#include <lumbricus/discretization/volume_terms.h>
 
 #include <string>
 #include <vector>
@@ -14,9 +15,10 @@ namespace lumbricus
   /**
    * What one load or support does to the part of the body that is computed:
    *
-   *   f = int T dA + sum_i r_i,   m = int x X T dA + sum_i x_i X r_i,
+   *   f = int T dA + int b dV + sum_i r_i,
+   *   m = int x X T dA + int x X b dV + sum_i x_i X r_i,
    *
-   * with the tractions T, and the nodal forces r_i that the residual lacks of
+   * with the tractions T, the body forces b, and the nodal forces r_i that the residual lacks of
    * balance at the displacements that are held; x = X + u, and moments are
    * about the origin. In equilibrium those of all loads and supports add up to
    * zero, to what the residual still is.
@@ -27,6 +29,7 @@ namespace lumbricus
     enum class Kind
     {
       condition,      ///< a section of Boundary conditions
+      body_force,     ///< a section of Body forces
       symmetry,       ///< the other half, at a plane of mirror symmetry
       minimal_support ///< one displacement that it holds
     };
@@ -52,14 +55,16 @@ namespace lumbricus
 
   /**
    * The forces of all loads and supports at @p solution and time @p t: those
-   * with a name in the order of the names, the planes of symmetry, and what the
-   * minimal support holds. @p references and @p terms have to be up to date.
+   * with a name in the order of the names, the planes of symmetry, what the
+   * minimal support holds, and the body forces. @p references and @p terms have to be up to date.
    * Collective.
    */
   std::vector<ExternalForce>
   external_forces(const Body               &body,
                   const BoundaryConditions &conditions,
                   SurfaceTerms             &terms,
+                  const BodyForces         &body_forces,
+                  const VolumeTerms        &volume_terms,
                   const ReferenceField     &references,
                   const Supports           &supports,
                   const Vector             &solution,

@@ -5,6 +5,7 @@
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/core/json_value.h>
 #include <lumbricus/core/parameter_entry.h>
+#include <lumbricus/terms/body_forces.h>
 #include <lumbricus/terms/boundary_conditions.h>
 #include <lumbricus/output/run_costs.h>
 #include <lumbricus/output/run_folder.h>
@@ -76,6 +77,10 @@ namespace lumbricus
                   const BoundaryConditions         &conditions,
                   const dealii::Triangulation<dim> &mesh);
 
+    /** What acts on tissues. The parameters have been initialized. */
+    void
+    describe_body_forces(const BodyForces &forces);
+
     /** All parameters, with the values of this run. */
     void
     describe_parameters(const std::vector<ParameterEntry> &entries);
@@ -95,6 +100,7 @@ namespace lumbricus
     JsonValue   restart; ///< null where the run began at rest
     JsonValue   body;
     JsonValue   boundary_conditions;
+    JsonValue   body_forces;
     JsonValue   parameters;
   };
 } // namespace lumbricus

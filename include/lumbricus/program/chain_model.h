@@ -100,6 +100,7 @@ namespace lumbricus
     ReferenceField references;    ///< fibres, G and J_v at all points
     Supports       supports;      ///< the constraints
     SurfaceTerms   surface_terms; ///< tractions, and what the skin remembers
+    VolumeTerms    volume_terms;  ///< body forces
     Assembler      assembler;     ///< residual and tangent
     Equilibrium    equilibrium;   ///< all that Newton's method sees
   };

@@ -10,15 +10,16 @@
 namespace lumbricus
 {
   /**
-   * Throw ExcInput where the resultant of the tractions at rest, at one of
-   * @p times, drives rigid motions that only the minimal support holds. It
+   * Throw ExcInput where the resultant of tractions and body forces at rest, at
+   * one of @p times, drives rigid motions that only the minimal support holds. It
    * holds them at single points, whose displacement under a force has no limit
-   * when the mesh is refined. Where a traction follows the deformation this is
-   * known only later: see imbalance(). Collective.
+   * when the mesh is refined. Where one of them follows the deformation this
+   * is known only later: see imbalance(). Collective.
    */
   void
-  check_load_balance(const MixedSpace          &space,
+  check_load_balance(const Body                &body,
                      const BoundaryConditions  &conditions,
+                     const BodyForces          &forces,
                      const Supports            &supports,
                      const std::vector<double> &times);
 

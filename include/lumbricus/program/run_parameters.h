@@ -9,6 +9,7 @@
 #include <lumbricus/core/load_curves.h>
 #include <lumbricus/core/load_stepping.h>
 #include <lumbricus/discretization/interface_coupling.h>
+#include <lumbricus/terms/body_forces.h>
 #include <lumbricus/terms/boundary_conditions.h>
 #include <lumbricus/output/output_parts.h>
 #include <lumbricus/program/shared_libraries.h>
@@ -73,6 +74,7 @@ namespace lumbricus
     Adaptivity           adaptivity;          ///< section Adaptivity
     InterfaceCoupling    interface_coupling;  ///< section Interface
     BoundaryConditions   boundary_conditions; ///< section Boundary conditions
+    BodyForces           body_forces;         ///< section Body forces
     SymmetryCheck        symmetry_check;      ///< section Boundary conditions
     LoadStepping         load_stepping;       ///< section Time
     LoadCurves           load_curves;         ///< section Time

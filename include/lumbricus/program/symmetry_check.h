@@ -4,6 +4,7 @@
 
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/discretization/mixed_space.h>
+#include <lumbricus/terms/body_forces.h>
 #include <lumbricus/terms/boundary_conditions.h>
 
 #include <vector>
@@ -36,6 +37,7 @@ namespace lumbricus
     check(const MixedSpace          &space,
           const Anatomy             &anatomy,
           const BoundaryConditions  &conditions,
+          const BodyForces          &forces,
           const std::vector<double> &times) const;
 
   private:

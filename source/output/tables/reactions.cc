@@ -55,6 +55,8 @@ namespace lumbricus
           else
             write_row(entry.kind == ExternalForce::Kind::symmetry ?
                         "symmetry plane" :
+                      entry.kind == ExternalForce::Kind::body_force ?
+                        "body force" :
                         "boundary condition",
                       entry.name,
                       entry);

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_terms_volume_term_h
+#define lumbricus_terms_volume_term_h
+
+#include <lumbricus/core/dimension.h>
+#include <lumbricus/core/expression.h>
+#include <lumbricus/core/load_time.h>
+#include <lumbricus/core/parameter_owner.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /** What a body force may depend on, at a point of the body. */
+  struct VolumePoint
+  {
+    dealii::Point<dim>     X; ///< position at rest [mm]
+    dealii::Tensor<1, dim> u; ///< displacement [mm]
+    LoadTime               t; ///< time
+  };
+
+
+
+  /** The force b per reference volume and its exact derivative. */
+  struct VolumeResponse
+  {
+    dealii::Tensor<1, dim> b;     ///< [N/mm^3]
+    dealii::Tensor<2, dim> db_du; ///< [N/mm^4]
+
+    /** Whether the derivative is there at all. */
+    bool
+    depends_on_place() const
+    {
+      return db_du.norm_square() > 0.;
+    }
+  };
+
+
+
+  /** A term of the residual in tissues, -int b . du dV: a force on all of their
+   * points. */
+  class VolumeTerm : public ParameterOwner
+  {
+  public:
+    /**
+     * Read the expressions. @param name the full name of the section, for
+     * messages. Throws ExcInput.
+     */
+    virtual void
+    initialize(const std::string &name) = 0;
+
+    /** All expressions, tried at the start over the time of the run and looked
+     * at between load steps. */
+    virtual std::vector<Expression>
+    expressions() const = 0;
+
+    /** Set the force and its derivative in @p response, which is zero before,
+     * at @p point. */
+    virtual void
+    volume(const VolumePoint &point, VolumeResponse &response) const = 0;
+
+    /** Whether the derivative keeps the matrix symmetric. */
+    virtual bool
+    symmetric() const
+    {
+      return true;
+    }
+  };
+} // namespace lumbricus
+
+#endif
