@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/checkpoint/run_progress.h>
+#include <lumbricus/continuation/continuation.h>
 #include <lumbricus/core/item_lines.h>
 #include <lumbricus/core/nodal_history.h>
 #include <lumbricus/core/registry.h>
@@ -22,6 +23,8 @@ namespace lumbricus
 
     constexpr unsigned int most_past = 100;
 
+    constexpr double any_number = std::numeric_limits<double>::lowest();
+
 
 
     // "segments.csv": in the folder of the run itself.
@@ -43,9 +46,11 @@ namespace lumbricus
   RunProgress::write(std::ostream &out) const
   {
     out << std::setprecision(std::numeric_limits<double>::max_digits10)
-        << "time " << time << "\nstep " << step << "\nstep_size " << step_size
-        << "\nelapsed_seconds " << elapsed_seconds << "\nvtu_is_current "
-        << picture_is_current << '\n';
+        << "time " << time << "\nstep " << step << "\nelapsed_seconds "
+        << elapsed_seconds << "\nvtu_is_current " << picture_is_current
+        << "\ncontrol " << control << '\n';
+    for (const auto &[name, value] : numbers)
+      out << "number " << name << ' ' << value << '\n';
     for (const std::string &name : histories)
       out << "history " << name << '\n';
     for (const double t : past)
@@ -105,6 +110,14 @@ namespace lumbricus
               lines.fail();
             continue;
           }
+        if (item == "number")
+          {
+            const std::string name  = lines.get_word();
+            const double      value = lines.get_number(any_number);
+            if (!progress.numbers.emplace(name, value).second)
+              lines.fail();
+            continue;
+          }
         if (item == "past")
           {
             progress.past.push_back(lines.get_number(0.));
@@ -114,11 +127,10 @@ namespace lumbricus
           progress.time = lines.get_number(0.);
         else if (item == "step")
           progress.step = lines.get_count(most_steps);
-        else if (item == "step_size")
-          progress.step_size =
-            lines.get_number(std::numeric_limits<double>::min());
         else if (item == "elapsed_seconds")
           progress.elapsed_seconds = lines.get_number(0.);
+        else if (item == "control")
+          progress.control = lines.get_rest();
         else if (item == "vtu_is_current")
           progress.picture_is_current = lines.get_count(1);
         else
@@ -127,12 +139,18 @@ namespace lumbricus
           lines.fail();
       }
     for (const std::string item :
-         {"time", "step", "step_size", "elapsed_seconds", "vtu_is_current"})
+         {"time", "step", "control", "elapsed_seconds", "vtu_is_current"})
       AssertThrow(seen.count(item) > 0,
                   ExcDamaged("does not have '" + item + "'."));
     for (const std::string &name : NodalHistory::names())
       AssertThrow(progress.histories.count(name) > 0,
                   ExcDamaged("does not have 'history " + name + "'."));
+    // The control of a user's library is not known yet.
+    if (Registry<Continuation>::entries().count(progress.control) > 0)
+      AssertThrow(Registry<Continuation>::create(progress.control)
+                    ->set_numbers(progress.numbers),
+                  ExcDamaged("has numbers that are not those of control '" +
+                             progress.control + "'."));
     // Times that are not apart would be divided by.
     double later = progress.time;
     for (const double t : progress.past)

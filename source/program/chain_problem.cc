@@ -4,14 +4,10 @@
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/core/out_of_memory.h>
 #include <lumbricus/program/chain_problem.h>
-#include <lumbricus/program/diagnosis.h>
-#include <lumbricus/program/load_path.h>
 #include <lumbricus/program/mesh_adaptation.h>
 #include <lumbricus/program/run_log.h>
 
-#include <algorithm>
 #include <iostream>
-#include <optional>
 #include <sstream>
 
 namespace lumbricus
@@ -69,6 +65,7 @@ namespace lumbricus
         first_state =
           checkpoint->read_state(model.space,
                                  model.rest_state().outline().histories);
+        continue_path(*checkpoint);
         folder.continue_tables(checkpoint->progress().tables);
         so_far.step    = checkpoint->progress().step;
         so_far.time    = checkpoint->progress().time;
@@ -190,16 +187,18 @@ namespace lumbricus
                            StepRecord                  &step,
                            const std::function<void()> &save)
   {
+    Continuation &continuation = *parameters.continuation.get();
     log_header(log);
     watch.begin_run(state.time);
-    while (!parameters.load_stepping.finished(state.time))
+    while (!continuation.finished(model, state))
       {
         const Costs before = costs();
         State       next;
         StepRecord  record;
         with_memory_message(comm, [&]() {
           next   = state;
-          record = advance(next, step.number + 1);
+          record =
+            continuation.advance(model, next, step.number + 1, watch, log);
         });
         if (parameters.adaptivity.due(record.number))
           adapt(next, record);
@@ -269,13 +268,30 @@ namespace lumbricus
     RunProgress progress;
     progress.time            = state.time;
     progress.step            = step.number;
-    progress.step_size       = parameters.load_stepping.step();
+    progress.control         = parameters.continuation.chosen_name();
+    progress.numbers         = parameters.continuation->numbers();
     progress.elapsed_seconds = step.elapsed_seconds;
     const StateOutline outline = state.outline();
     progress.histories         = outline.histories;
     progress.past              = outline.past;
     results->note(progress);
     return progress;
+  }
+
+
+
+  void
+  ChainProblem::continue_path(const Checkpoint &checkpoint)
+  {
+    const RunProgress &progress = checkpoint.progress();
+    if (progress.control != parameters.continuation.chosen_name())
+      return;
+    AssertThrow(parameters.continuation.get()->set_numbers(progress.numbers),
+                ExcInput("The checkpoint '" + checkpoint.path() +
+                         "' has numbers that 'Path/Control' = '" +
+                         progress.control +
+                         "' cannot go on with. Set another one, or start the "
+                         "run from its parameter file."));
   }
 
 
@@ -289,139 +305,14 @@ namespace lumbricus
     step.number                 = progress.step;
     step.elapsed_seconds        = progress.elapsed_seconds;
     seconds_before_restart      = progress.elapsed_seconds;
-    parameters.load_stepping.set_step(progress.step_size);
     results->continue_after(progress);
     log << "Going on from time " << state.time << ", after step " << step.number
         << ".\n";
-  }
-
-
-
-  StepRecord
-  ChainProblem::advance(State &state, const unsigned int number)
-  {
-    LoadStepping &stepping = parameters.load_stepping;
-    StepRecord    step;
-    step.number = number;
-
-    const auto relaxation = model.relax_liquid_mesh(state);
-    if (!relaxation.in_segment.empty())
-      step.relaxed = relaxation.in_segment;
-    // Right before a jump.
-    std::optional<double> stop;
-    while (true)
-      {
-        const double planned  = stepping.next_time(state.time);
-        auto         division = parameters.load_curves.divide(state.time,
-                                                      planned);
-        if (stop)
-          division.to = std::min(division.to, *stop);
-        else if (division.curve != nullptr)
-          say_divided(division, planned);
-        // Beyond a corner or a jump nothing goes on as it did.
-        const bool goes_on = division.curve == nullptr && !stop;
-        try
-          {
-            take_step(state, step, division.to);
-            if (!goes_on)
-              state.past.clear();
-            return step;
-          }
-        catch (const ExcNotConverged &exception)
-          {
-            // Without extrapolation before a shorter step.
-            if (!state.past.empty())
-              {
-                state.past.clear();
-                continue;
-              }
-            const std::string why = plain_message(exception);
-            ++step.n_cuts;
-            if (const auto jump =
-                  parameters.load_curves.jump(state.time, division.to))
-              {
-                const double shortest = parameters.load_curves.shortest();
-                if (jump->before.value_or(state.time) <=
-                    state.time + 0.5 * shortest)
-                  {
-                    take_jump(*jump, state, step);
-                    return step;
-                  }
-                stop = jump->before;
-                log << "        cut to before a jump: " << why << "\n";
-                continue;
-              }
-            try
-              {
-                stepping.cut(state.time, division.to, why);
-              }
-            catch (const ExcSolveFailed &failure)
-              {
-                AssertThrow(false,
-                            ExcSolveFailed(
-                              plain_message(failure) +
-                              diagnose(model,
-                                       state,
-                                       state.time,
-                                       state.time + stepping.step())));
-              }
-            log << "        cut to " << stepping.step() << ": " << why << "\n";
-          }
-      }
-  }
-
-
-
-  void
-  ChainProblem::take_step(State &state, StepRecord &step, const double to)
-  {
-    State next = state;
-    next.time  = to;
-    watch.begin_step(step.number, next.time);
-    step.report =
-      model.solve(next, next.time, parameters.predictor.predict(state, to));
-    step.time   = next.time;
-    step.size   = next.time - state.time;
-    parameters.predictor.accept(state, next);
-    state = next;
-    parameters.load_stepping.accept(step.report.solves.front().newton.size());
-  }
-
-
-
-  void
-  ChainProblem::take_jump(const LoadCurves::Jump &jump,
-                          State                  &state,
-                          StepRecord             &step)
-  {
-    const double from = state.time;
-    watch.begin_step(step.number, jump.after);
-    const LoadPathReport path = go_over(jump, model, state, log);
-    step.report               = path.report;
-    step.time                 = state.time;
-    step.size                 = state.time - from;
-    step.n_cuts += path.n_cuts;
-    if (step.relaxed.empty())
-      step.relaxed.resize(path.relaxed.size(), false);
-    for (unsigned int s = 0; s < path.relaxed.size(); ++s)
-      step.relaxed[s] = step.relaxed[s] || path.relaxed[s];
-    state.past.clear();
-  }
-
-
-
-  void
-  ChainProblem::say_divided(const LoadCurves::Division &division,
-                            const double                planned)
-  {
-    if (!said_to_divide.insert(division.curve->what).second)
-      return;
-    std::ostringstream line;
-    line << "        a step to time " << planned << " would miss a change of "
-         << division.curve->what << division.curve->where
-         << ":\n        this one ends at " << division.to
-         << ", and others where they would.\n";
-    log << line.str();
+    const std::string &control = parameters.continuation.chosen_name();
+    if (control != progress.control)
+      log << "From here on by 'Path/Control' = '" << control
+          << "', which begins anew; so far it was '" << progress.control
+          << "'.\n";
   }
 
 
@@ -442,7 +333,7 @@ namespace lumbricus
     if (!any)
       return;
     results->reinit();
-    state.past.clear();
+    parameters.continuation->adapted(state);
   }
 
 

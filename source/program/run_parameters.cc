@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/core/registry.h>
 #include <lumbricus/output/field.h>
 #include <lumbricus/output/table.h>
 #include <lumbricus/program/run_parameters.h>
@@ -7,7 +6,11 @@
 namespace lumbricus
 {
   RunParameters::RunParameters()
-    : linear_solver("Method", "auto", "How linear systems are solved.")
+    : continuation("Control",
+                   "time",
+                   "What is given in a step of the run, which leads from one "
+                   "equilibrium to the next.")
+    , linear_solver("Method", "auto", "How linear systems are solved.")
   {}
 
 
@@ -29,6 +32,9 @@ namespace lumbricus
     symmetry_check.declare_parameters(prm);
     load_stepping.declare_parameters(prm);
     load_curves.declare_parameters(prm);
+    prm.enter_subsection("Path");
+    continuation.declare_parameters(prm);
+    prm.leave_subsection();
     checkpoint_schedule.declare_parameters(prm);
     reset_iteration.declare_parameters(prm);
     newton.declare_parameters(prm);
@@ -68,6 +74,9 @@ namespace lumbricus
     extended |= adaptivity.extend_parameters(prm, extent);
     extended |= boundary_conditions.extend_parameters(prm, extent);
     extended |= body_forces.extend_parameters(prm, extent);
+    prm.enter_subsection("Path");
+    extended |= continuation.extend_parameters(prm, extent);
+    prm.leave_subsection();
     prm.enter_subsection("Linear solver");
     extended |= linear_solver.extend_parameters(prm, extent);
     prm.leave_subsection();
@@ -87,6 +96,7 @@ namespace lumbricus
     boundary_conditions.check_parameters();
     body_forces.check_parameters();
     load_stepping.check_parameters();
+    within_section("Path", [&]() { continuation.check_parameters(); });
     within_section("Linear solver",
                    [&]() { linear_solver.check_parameters(); });
     within_section("Output", [&]() { output_parts.check_parameters(); });
@@ -103,6 +113,7 @@ namespace lumbricus
     boundary_conditions.initialize(anatomy.geometry());
     body_forces.initialize(anatomy.geometry());
     output_parts.initialize(anatomy);
+    continuation.get()->initialize(*this);
   }
 
 

@@ -4,8 +4,8 @@
 // jumped "take a smaller step" could not help. What steps must not miss, where a
 // datum jumps, and the data on the way over a jump.
 #include <lumbricus/activation/activation.h>
-#include <lumbricus/core/load_curves.h>
-#include <lumbricus/core/load_stepping.h>
+#include <lumbricus/continuation/load_curves.h>
+#include <lumbricus/continuation/load_stepping.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>

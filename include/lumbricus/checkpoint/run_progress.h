@@ -22,8 +22,10 @@ namespace lumbricus
     std::set<std::string> histories;
     /** The times of State::past. */
     std::vector<double> past;
-    /** The size of the load step wanted next. */
-    double step_size       = 0.;
+    /** The Continuation, as users name it. */
+    std::string control;
+    /** Continuation::numbers(). */
+    std::map<std::string, double> numbers;
     double elapsed_seconds = 0.; ///< of all runs up to here
     /** What there is of the tables. */
     std::map<std::string, Fingerprint> tables;

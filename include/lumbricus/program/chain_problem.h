@@ -11,15 +11,15 @@
 
 #include <deal.II/base/timer.h>
 
+#include <functional>
 #include <memory>
-#include <set>
 #include <string>
 
 namespace lumbricus
 {
   /**
-   * A run: load steps on a model of the body, adaptation of its mesh, results
-   * and checkpoints. It composes and computes nothing itself.
+   * A run: the steps of a Continuation on a model of the body, adaptation of its
+   * mesh, results and checkpoints. It composes and computes nothing itself.
    */
   class ChainProblem
   {
@@ -85,31 +85,16 @@ namespace lumbricus
     RunProgress
     progress(const State &state, const StepRecord &step) const;
 
+    /** Let the continuation go on where it was at @p checkpoint, if it is the
+     * same. Throws ExcInput. */
+    void
+    continue_path(const Checkpoint &checkpoint);
+
     /** Go on from a checkpoint, whose state is @p state. */
     void
     go_on_from(const Checkpoint &checkpoint,
                const State      &state,
                StepRecord       &step);
-
-    /** Take load step @p number, as long as converges. Throws ExcSolveFailed.
-     */
-    StepRecord
-    advance(State &state, const unsigned int number);
-
-    /** Try the load step of @p record from @p state to time @p to. Throws
-     * ExcNotConverged. */
-    void
-    take_step(State &state, StepRecord &record, const double to);
-
-    /** Go over @p jump, right after @p state, in the load step of @p record.
-     * Throws ExcSolveFailed. */
-    void
-    take_jump(const LoadCurves::Jump &jump, State &state, StepRecord &record);
-
-    /** Say where the first step ends earlier so as not to miss a change of the
-     * datum of @p division. */
-    void
-    say_divided(const LoadCurves::Division &division, const double planned);
 
     /** Adapt the mesh to @p state, which has converged. */
     void
@@ -150,9 +135,6 @@ namespace lumbricus
     State                    first_state; ///< of this part of the run
     bool                     begun = false;
     RunStatus                so_far;
-
-    /** Whose changes divide steps, of what that was said. */
-    std::set<std::string> said_to_divide;
 
     /** What tables have to say about the first mesh. */
     std::string table_notes;

@@ -6,8 +6,11 @@
 #include <lumbricus/adaptivity/mesh_refinement.h>
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/checkpoint/checkpoint_schedule.h>
-#include <lumbricus/core/load_curves.h>
-#include <lumbricus/core/load_stepping.h>
+#include <lumbricus/continuation/continuation.h>
+#include <lumbricus/continuation/load_curves.h>
+#include <lumbricus/continuation/load_stepping.h>
+#include <lumbricus/continuation/predictor.h>
+#include <lumbricus/core/registry.h>
 #include <lumbricus/discretization/interface_coupling.h>
 #include <lumbricus/terms/body_forces.h>
 #include <lumbricus/terms/boundary_conditions.h>
@@ -17,7 +20,6 @@
 #include <lumbricus/program/symmetry_check.h>
 #include <lumbricus/program/unit_check.h>
 #include <lumbricus/solvers/linear_solver.h>
-#include <lumbricus/solvers/predictor.h>
 #include <lumbricus/solvers/reset_iteration.h>
 
 #include <string>
@@ -78,6 +80,7 @@ namespace lumbricus
     SymmetryCheck        symmetry_check;      ///< section Boundary conditions
     LoadStepping         load_stepping;       ///< section Time
     LoadCurves           load_curves;         ///< section Time
+    Choice<Continuation> continuation;        ///< section Path
     CheckpointSchedule   checkpoint_schedule; ///< section Checkpoints
     ResetIteration       reset_iteration;     ///< section Reset
     Newton               newton;              ///< section Newton

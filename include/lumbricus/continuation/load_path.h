@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef lumbricus_program_load_path_h
-#define lumbricus_program_load_path_h
+#ifndef lumbricus_continuation_load_path_h
+#define lumbricus_continuation_load_path_h
 
-#include <lumbricus/core/load_curves.h>
+#include <lumbricus/continuation/load_curves.h>
 #include <lumbricus/core/log.h>
 #include <lumbricus/program/chain_model.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/continuation/load_curves.h>
 #include <lumbricus/core/curve_samples.h>
-#include <lumbricus/core/load_curves.h>
 #include <lumbricus/core/patterns.h>
 
 #include <algorithm>

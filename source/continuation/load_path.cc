@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/continuation/load_path.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/program/diagnosis.h>
-#include <lumbricus/program/load_path.h>
 
 #include <algorithm>
 #include <sstream>

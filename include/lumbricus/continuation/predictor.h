@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef lumbricus_solvers_predictor_h
-#define lumbricus_solvers_predictor_h
+#ifndef lumbricus_continuation_predictor_h
+#define lumbricus_continuation_predictor_h
 
 #include <lumbricus/core/parameter_owner.h>
 #include <lumbricus/core/state.h>

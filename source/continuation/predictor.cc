@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/solvers/predictor.h>
+#include <lumbricus/continuation/predictor.h>
 
 #include <deal.II/base/patterns.h>
 

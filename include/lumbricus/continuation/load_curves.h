@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef lumbricus_core_load_curves_h
-#define lumbricus_core_load_curves_h
+#ifndef lumbricus_continuation_load_curves_h
+#define lumbricus_continuation_load_curves_h
 
 #include <lumbricus/core/load_curve.h>
 #include <lumbricus/core/parameter_owner.h>

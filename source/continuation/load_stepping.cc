@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/continuation/load_stepping.h>
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/load_stepping.h>
 #include <lumbricus/core/patterns.h>
 
 #include <deal.II/base/utilities.h>
@@ -91,6 +91,22 @@ namespace lumbricus
 
 
   double
+  LoadStepping::first_step() const
+  {
+    return first;
+  }
+
+
+
+  double
+  LoadStepping::largest_step() const
+  {
+    return largest;
+  }
+
+
+
+  double
   LoadStepping::smallest_step() const
   {
     return smallest;
@@ -107,23 +123,7 @@ namespace lumbricus
 
 
   double
-  LoadStepping::step() const
-  {
-    return size > 0. ? size : first;
-  }
-
-
-
-  void
-  LoadStepping::set_step(const double step)
-  {
-    size = std::min(step, largest);
-  }
-
-
-
-  double
-  LoadStepping::next_time(const double time) const
+  LoadStepping::next_time(const double time, const double step) const
   {
     // The first of the marks (multiples of the interval, the end) ahead.
     double mark = end;
@@ -132,33 +132,16 @@ namespace lumbricus
         std::min(end, interval * (std::floor(time / interval + same) + 1.));
 
     // Do not leave a tiny step before the mark.
-    return time + step() * (1. + same) >= mark ? mark : time + step();
+    return time + step * (1. + same) >= mark ? mark : time + step;
   }
 
 
 
-  void
-  LoadStepping::accept(const unsigned int n_newton_iterations)
+  double
+  LoadStepping::step_after(const double       step,
+                           const unsigned int n_newton_iterations) const
   {
-    size =
-      n_newton_iterations <= easy ? std::min(largest, growth * step()) : step();
-  }
-
-
-
-  void
-  LoadStepping::cut(const double       time,
-                    const double       next,
-                    const std::string &why)
-  {
-    size = 0.5 * std::min(step(), next - time);
-    if (size < smallest)
-      {
-        std::ostringstream message;
-        message << "No solution beyond time " << time
-                << " with steps of 'Time/Smallest step' = " << smallest << ". "
-                << why << ".";
-        AssertThrow(false, ExcSolveFailed(message.str()));
-      }
+    return n_newton_iterations <= easy ? std::min(largest, growth * step) :
+                                         step;
   }
 } // namespace lumbricus
