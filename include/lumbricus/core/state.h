@@ -2,7 +2,7 @@
 #ifndef lumbricus_core_state_h
 #define lumbricus_core_state_h
 
-#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <deque>
 #include <map>
@@ -11,8 +11,13 @@
 
 namespace lumbricus
 {
-  /** What a state is made of: Trilinos' distributed vectors. */
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+  /**
+   * The vector of all of the program: of states, of residuals, of what cells
+   * read from and add to, and of Krylov methods. Those of a state have owned
+   * entries alone; who needs those of other ranks makes a copy that has them
+   * (MixedSpace::with_ghosts()) and is only read.
+   */
+  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
   /**
    * All that a run has to remember, as a value: copy it to roll back.
@@ -48,18 +53,6 @@ namespace lumbricus
       for (const Past &earlier : past)
         times.push_back(earlier.time);
       return times;
-    }
-
-    /** After entries have been set. Collective. */
-    void
-    compress()
-    {
-      const auto set = dealii::VectorOperation::insert;
-      solution.compress(set);
-      for (auto &[name, vector] : histories)
-        vector.compress(set);
-      for (Past &earlier : past)
-        earlier.solution.compress(set);
     }
   };
 } // namespace lumbricus
