@@ -278,7 +278,7 @@ namespace
                     vmult_bytes,
                     peak);
 
-    CellVector from, to;
+    Vector from, to;
     block.unknowns.reinit_vector(from);
     block.unknowns.reinit_vector(to);
     from = 1.;

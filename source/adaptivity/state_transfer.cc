@@ -128,7 +128,6 @@ namespace lumbricus
       CellStateWriter writer(space, state);
       for (const auto &cell : space.owned_cells())
         writer.write(cell, values[cell->active_cell_index()]);
-      state.compress();
     }
 
 

@@ -476,7 +476,6 @@ namespace lumbricus
           }
         begin = end;
       }
-    state.compress();
 
     const std::string advice = " Go on with the version that wrote it, " +
                                manifest.version +

@@ -2,7 +2,6 @@
 #include <lumbricus/discretization/assembler.h>
 #include <lumbricus/discretization/cell_sizes.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -42,7 +41,7 @@ namespace lumbricus
     rounding.reinit(body.shapes);
     linearisation.symmetric =
       terms.symmetric() && volume_terms.symmetric();
-    for (CellVector *x : {&u, &sum, &rhs})
+    for (Vector *x : {&u, &rhs})
       unknowns.reinit_vector(*x);
   }
 
@@ -59,9 +58,7 @@ namespace lumbricus
   Assembler::Report
   Assembler::residual(const Vector &solution, const LoadTime &t, Vector &r)
   {
-    const Report report = assemble(solution, t, false);
-    std::copy(sum.begin(), sum.end(), r.begin());
-    return report;
+    return assemble(solution, t, false, r);
   }
 
 
@@ -70,8 +67,7 @@ namespace lumbricus
   Assembler::linearise(const Vector &solution, const LoadTime &t)
   {
     unknowns.update_inhomogeneities(supports.constraints());
-    const Report report = assemble(solution, t, true);
-    rhs.copy_locally_owned_data_from(sum);
+    const Report report = assemble(solution, t, true, rhs);
     rhs *= -1.;
     return report;
   }
@@ -86,7 +82,7 @@ namespace lumbricus
 
 
 
-  const CellVector &
+  const Vector &
   Assembler::right_hand_side() const
   {
     return rhs;
@@ -97,11 +93,12 @@ namespace lumbricus
   Assembler::Report
   Assembler::assemble(const Vector   &solution,
                       const LoadTime &t,
-                      const bool      with_tangent)
+                      const bool      with_tangent,
+                      Vector         &sum)
   {
-    std::copy(solution.begin(), solution.end(), u.begin());
+    u.copy_locally_owned_data_from(solution);
     u.update_ghost_values();
-    sum = 0.;
+    unknowns.reinit_vector(sum);
     if (with_tangent)
       linearisation.clear_surface_matrices();
 

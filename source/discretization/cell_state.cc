@@ -102,6 +102,8 @@ namespace lumbricus
     , indices(space.fe.n_dofs_per_cell())
     , rest_indices(space.rest_fe.n_dofs_per_cell())
   {
+    // Copies have no ghost entries, as one of these would when they move.
+    relevant.reserve(1 + state.past.size());
     relevant.push_back(space.with_ghosts(state.solution));
     for (const State::Past &earlier : state.past)
       relevant.push_back(space.with_ghosts(earlier.solution));

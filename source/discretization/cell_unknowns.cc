@@ -176,7 +176,7 @@ namespace lumbricus
 
 
   void
-  CellUnknowns::reinit_vector(CellVector &x) const
+  CellUnknowns::reinit_vector(Vector &x) const
   {
     x.reinit(partitioner);
   }
@@ -185,7 +185,7 @@ namespace lumbricus
 
   void
   CellUnknowns::read(const unsigned int i,
-                     const CellVector  &x,
+                     const Vector      &x,
                      double            *values) const
   {
     const unsigned int *const of_cell = places(i);
@@ -198,7 +198,7 @@ namespace lumbricus
 
   void
   CellUnknowns::read_free(const unsigned int i,
-                          const CellVector  &x,
+                          const Vector      &x,
                           double            *values) const
   {
     if (of_constrained_cell[i] < 0)
@@ -237,9 +237,7 @@ namespace lumbricus
 
 
   void
-  CellUnknowns::add(const unsigned int i,
-                    const double      *values,
-                    CellVector        &x) const
+  CellUnknowns::add(const unsigned int i, const double *values, Vector &x) const
   {
     double *const entries = x.begin();
     if (of_constrained_cell[i] < 0)

@@ -43,6 +43,21 @@ namespace lumbricus
 
 
 
+    // A vector to which this rank's cells may add through these links, which
+    // under slip may lead to unknowns that are none of the cells around.
+    Vector
+    vector_of(const dealii::AffineConstraints<double> &links,
+              const MixedSpace                        &space)
+    {
+      dealii::IndexSet reached = space.locally_relevant;
+      for (const auto &line : links.get_lines())
+        for (const auto &entry : line.entries)
+          reached.add_index(entry.first);
+      return Vector(space.locally_owned, reached, space.communicator());
+    }
+
+
+
     void
     sum_over_ranks(std::vector<ExternalForce> &all, const MPI_Comm comm)
     {
@@ -118,7 +133,7 @@ namespace lumbricus
     for (const Supports::Prescribed &entry : supports.prescribed_unknowns())
       held[space.locally_relevant.index_within_set(entry.index)] = true;
 
-    Vector                 nodal(space.locally_owned, space.communicator());
+    Vector                 nodal  = vector_of(links, space);
     const unsigned int     n_dofs = space.fe.n_dofs_per_cell();
     dealii::Vector<double> of_cell(n_dofs);
     std::vector<dealii::types::global_dof_index> indices(n_dofs);

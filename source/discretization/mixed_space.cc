@@ -99,6 +99,13 @@ namespace lumbricus
     locally_owned = dof_handler.locally_owned_dofs();
     locally_relevant =
       dealii::DoFTools::extract_locally_relevant_dofs(dof_handler);
+    owned = std::make_shared<const Partitioner>(locally_owned, communicator());
+    relevant = std::make_shared<const Partitioner>(locally_owned,
+                                                   locally_relevant,
+                                                   communicator());
+    rest_owned =
+      std::make_shared<const Partitioner>(rest_dof_handler.locally_owned_dofs(),
+                                          communicator());
   }
 
 
@@ -127,10 +134,9 @@ namespace lumbricus
     State state;
     state.time      = outline.time;
     state.last_time = outline.last_time;
-    state.solution.reinit(locally_owned, communicator());
+    state.solution.reinit(owned);
     for (const std::string &name : outline.histories)
-      state.histories[name].reinit(rest_dof_handler.locally_owned_dofs(),
-                                   communicator());
+      state.histories[name].reinit(rest_owned);
     for (const double t : outline.past)
       state.past.push_back({t, state.solution});
     return state;
@@ -141,9 +147,19 @@ namespace lumbricus
   Vector
   MixedSpace::with_ghosts(const Vector &solution) const
   {
-    Vector relevant(locally_owned, locally_relevant, communicator());
-    relevant = solution;
-    return relevant;
+    Vector ghosted;
+    reinit_vector(ghosted);
+    ghosted.copy_locally_owned_data_from(solution);
+    ghosted.update_ghost_values();
+    return ghosted;
+  }
+
+
+
+  void
+  MixedSpace::reinit_vector(Vector &x) const
+  {
+    x.reinit(relevant);
   }
 
 

@@ -74,6 +74,5 @@ namespace lumbricus
             u_vol[index]       = scale * (X + u) - X;
           }
     });
-    u_vol.compress(dealii::VectorOperation::insert);
   }
 } // namespace lumbricus

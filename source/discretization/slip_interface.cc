@@ -112,13 +112,7 @@ namespace lumbricus
     dealii::DoFTools::make_hanging_node_constraints(space.dof_handler,
                                                     hanging_nodes);
     hanging_nodes.close();
-    for (Vector &component : m)
-      component.reinit(space.locally_owned,
-                       space.locally_relevant,
-                       space.communicator());
-    moved.reinit(space.locally_owned,
-                 space.locally_relevant,
-                 space.communicator());
+    space.reinit_vector(moved);
     find_pairs();
     update_normals(space.initial_state().solution);
     merge_surfaces();
@@ -221,9 +215,10 @@ namespace lumbricus
   SlipInterface::update(const Vector &solution, const Vector &start)
   {
     update_normals(solution);
-    Vector change = solution;
-    change -= start;
-    moved = change;
+    space.reinit_vector(moved);
+    moved.copy_locally_owned_data_from(solution);
+    moved -= start;
+    moved.update_ghost_values();
   }
 
 
@@ -233,10 +228,9 @@ namespace lumbricus
   {
     constexpr unsigned int n_nodes = MixedSpace::n_nodes;
 
-    const Vector                   relevant = space.with_ghosts(solution);
-    std::array<Vector, n_surfaces> sum;
-    for (Vector &component : sum)
-      component.reinit(space.locally_owned, space.communicator());
+    const Vector relevant = space.with_ghosts(solution);
+    for (Vector &sum : m)
+      space.reinit_vector(sum);
 
     const unsigned int     n_dofs = space.fe.n_dofs_per_cell();
     dealii::Vector<double> cell_sum(n_dofs);
@@ -264,13 +258,14 @@ namespace lumbricus
               cell_sum(space.displacement_dof[c][n]) +=
                 surface.values[n] * n_da[c];
         }
-      hanging_nodes.distribute_local_to_global(
-        cell_sum, indices, sum[largest_component(N_of_face)]);
+      hanging_nodes.distribute_local_to_global(cell_sum,
+                                               indices,
+                                               m[largest_component(N_of_face)]);
     });
-    for (unsigned int s = 0; s < n_surfaces; ++s)
+    for (Vector &sum : m)
       {
-        sum[s].compress(dealii::VectorOperation::add);
-        m[s] = sum[s];
+        sum.compress(dealii::VectorOperation::add);
+        sum.update_ghost_values();
       }
   }
 

@@ -139,7 +139,6 @@ namespace lumbricus
             }
         }
     });
-    state.compress();
   }
 
 

@@ -26,7 +26,7 @@ namespace lumbricus
 
 
   void
-  Tangent::vmult(CellVector &y, const CellVector &x) const
+  Tangent::vmult(Vector &y, const Vector &x) const
   {
     double x_cell[n_per_cell], y_cell[n_per_cell];
     x.update_ghost_values();

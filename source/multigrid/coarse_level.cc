@@ -296,7 +296,7 @@ namespace lumbricus
       Level                           level;
       std::map<CellKey, unsigned int> index_of;
       /** Of each unknown on the finest mesh the number on this one, or -1. */
-      CellVector         numbers;
+      Vector             numbers;
       Index              n_owned = 0, first = 0, n_unknowns = 0;
       Index              first_pressure = 0;
       std::vector<Index> of_cells;

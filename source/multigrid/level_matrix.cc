@@ -41,7 +41,7 @@ namespace lumbricus
   {
     comm          = communicator;
     n_owned_cells = n_cells;
-    CellVector of_unknowns;
+    Vector of_unknowns;
     unknowns.reinit_vector(of_unknowns);
     const auto partitioner = of_unknowns.get_partitioner();
     const auto firsts =
@@ -266,7 +266,7 @@ namespace lumbricus
 
 
   void
-  LevelMatrix::residual(const CellVector &x, const double *b, double *r) const
+  LevelMatrix::residual(const Vector &x, const double *b, double *r) const
   {
     const double *const entries = x.begin();
     for (unsigned int i = 0; i < n_owned(); ++i)

@@ -76,9 +76,9 @@ namespace lumbricus
                             parameters.damping});
         on.matrix.reinit_vector(on.x);
         on.matrix.reinit_vector(on.b);
-        for (CellVector *x : {&on.defect, &on.work, &on.weight})
+        for (Vector *x : {&on.defect, &on.work, &on.weight})
           level.unknowns->reinit_vector(*x);
-        for (CellVector *x : {&on.coarse_x, &on.coarse_b})
+        for (Vector *x : {&on.coarse_x, &on.coarse_b})
           hierarchy.level(l - 1).unknowns->reinit_vector(*x);
         const auto &constrained = level.unknowns->is_constrained();
         for (unsigned int i = 0; i < level.n_owned_cells; ++i)
@@ -183,12 +183,12 @@ namespace lumbricus
 
   void
   VCycle::prolongate_and_add(const unsigned int l,
-                             const CellVector  &coarse,
-                             CellVector        &fine) const
+                             const Vector      &coarse,
+                             Vector            &fine) const
   {
     const Level &below  = hierarchy.level(l);
     const Level &above  = hierarchy.level(l + 1);
-    CellVector  &sum    = smoothed[l + 1]->work;
+    Vector      &sum    = smoothed[l + 1]->work;
     const auto  &weight = smoothed[l + 1]->weight;
     double       on_parent[n_per_cell], on_child[n_per_cell];
 
@@ -215,12 +215,12 @@ namespace lumbricus
 
   void
   VCycle::restrict_to(const unsigned int l,
-                      const CellVector  &fine,
-                      CellVector        &coarse) const
+                      const Vector      &fine,
+                      Vector            &coarse) const
   {
     const Level &below    = hierarchy.level(l);
     const Level &above    = hierarchy.level(l + 1);
-    CellVector  &weighted = smoothed[l + 1]->work;
+    Vector      &weighted = smoothed[l + 1]->work;
     const auto  &weight   = smoothed[l + 1]->weight;
     double       on_parent[n_per_cell], on_child[n_per_cell];
 
@@ -250,7 +250,7 @@ namespace lumbricus
 
 
   void
-  VCycle::solve_coarsest(CellVector &x, const CellVector &b) const
+  VCycle::solve_coarsest(Vector &x, const Vector &b) const
   {
     numbering.extract(b, values);
     mumps->solve(values);
@@ -261,7 +261,7 @@ namespace lumbricus
 
 
   void
-  VCycle::cycle(const unsigned int l, CellVector &x, const CellVector &b) const
+  VCycle::cycle(const unsigned int l, Vector &x, const Vector &b) const
   {
     if (l == 0)
       {
@@ -295,7 +295,7 @@ namespace lumbricus
 
 
   void
-  VCycle::vmult(CellVector &y, const CellVector &x) const
+  VCycle::vmult(Vector &y, const Vector &x) const
   {
     cycle(hierarchy.n_levels() - 1, y, x);
     const auto &constrained = tangent.unknowns.is_constrained();

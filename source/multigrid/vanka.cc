@@ -58,7 +58,7 @@ namespace lumbricus
     for (const Patch &patch : patches)
       for (const unsigned int place : patch.places)
         patch_weight[place] += 1.;
-    CellVector n_ranks;
+    Vector n_ranks;
     matrix->reinit_vector(n_ranks);
     touched.clear();
     for (unsigned int place = 0; place < patch_weight.size(); ++place)
@@ -142,10 +142,10 @@ namespace lumbricus
 
 
   void
-  Vanka::sweep(CellVector       &x,
-               const CellVector &b,
-               const bool        backward,
-               const bool        x_is_zero) const
+  Vanka::sweep(Vector       &x,
+               const Vector &b,
+               const bool    backward,
+               const bool    x_is_zero) const
   {
     if (!x_is_zero)
       x.update_ghost_values();

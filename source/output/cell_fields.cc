@@ -64,8 +64,7 @@ namespace lumbricus
   void
   CellFields::update(const State &state)
   {
-    Vector owned(fields_dof_handler.locally_owned_dofs(),
-                 body.space.communicator());
+    field_values.zero_out_ghost_values();
     std::vector<dealii::types::global_dof_index> indices(fe->n_dofs_per_cell());
     std::vector<std::vector<double>>             values(
       n_q, std::vector<double>(fe->n_components()));
@@ -84,7 +83,7 @@ namespace lumbricus
           double value                 = 0.;
           for (unsigned int q = 0; q < n_q; ++q)
             value += projection(node, q) * values[q][component];
-          owned(indices[k]) = value;
+          field_values(indices[k]) = value;
         }
     };
     visit_points(body, references, state, [&](FieldPoint &point) {
@@ -98,8 +97,7 @@ namespace lumbricus
       if (point.q + 1 == n_q)
         finish_cell(point);
     });
-    owned.compress(dealii::VectorOperation::insert);
-    field_values = owned;
+    field_values.update_ghost_values();
   }
 
 

@@ -79,7 +79,7 @@ namespace lumbricus
     try
       {
         linearise(model, state, next);
-        const CellVector loads = model.assembler.right_hand_side();
+        const Vector loads = model.assembler.right_hand_side();
         linearise(model, state, now);
         const auto   softest  = stability.softest_motion();
         const auto   answer   = stability.response(loads);

@@ -48,7 +48,6 @@ namespace lumbricus
             std::istringstream in(of_rank);
             reader.read(in);
           }
-        state.compress();
         model.references.update(state);
       }
 

@@ -83,7 +83,7 @@ namespace lumbricus
 
 
   void
-  CondensedFactor::vmult(CellVector &y, const CellVector &x) const
+  CondensedFactor::vmult(Vector &y, const Vector &x) const
   {
     const CellUnknowns &unknowns = tangent.unknowns;
 

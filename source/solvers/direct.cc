@@ -22,7 +22,7 @@ namespace lumbricus
     }
 
     void
-    solve(CellVector &x, const CellVector &b, const double tolerance) override
+    solve(Vector &x, const Vector &b, const double tolerance) override
     {
       dealii::Timer timer;
       if (factors == nullptr)
@@ -35,7 +35,7 @@ namespace lumbricus
       // Iterative refinement makes up for pivots that were not the best.
       timer.restart();
       constexpr unsigned int most_refinements = 3;
-      CellVector             r(b), correction(b);
+      Vector                 r(b), correction(b);
       x              = 0.;
       unsigned int n = 1;
       for (;; ++n)

@@ -38,8 +38,6 @@ namespace lumbricus
     const MixedSpace &space  = body.space;
     const ShapeCache &shapes = body.shapes;
     const MPI_Comm    comm   = space.communicator();
-    r.reinit(space.locally_owned, comm);
-
     component.assign(space.locally_owned.n_elements(), dim);
     std::vector<dealii::types::global_dof_index> indices(
       space.fe.n_dofs_per_cell());
@@ -86,7 +84,6 @@ namespace lumbricus
   Equilibrium::reinit_solvers()
   {
     assembler.reinit();
-    increment.reinit(assembler.right_hand_side());
     linear_solver.reinit(assembler.tangent());
   }
 
@@ -178,8 +175,9 @@ namespace lumbricus
   Equilibrium::solve(Vector &dx, const double tolerance)
   {
     dealii::TimerOutput::Scope scope(timer, "linear solver");
-    linear_solver.solve(increment, assembler.right_hand_side(), tolerance);
-    std::copy(increment.begin(), increment.end(), dx.begin());
+    const Vector              &b = assembler.right_hand_side();
+    dx.reinit(b, true);
+    linear_solver.solve(dx, b, tolerance);
     supports.constraints().distribute(dx);
   }
 

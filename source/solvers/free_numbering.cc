@@ -32,7 +32,7 @@ namespace lumbricus
 
     // The other ranks' numbers come as ghost entries; doubles hold them
     // exactly.
-    CellVector numbers;
+    Vector numbers;
     unknowns.reinit_vector(numbers);
     for (unsigned int k = 0; k < n_owned; ++k)
       numbers.local_element(owned_places[k]) = first + k;

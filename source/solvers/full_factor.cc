@@ -31,7 +31,7 @@ namespace lumbricus
 
 
   void
-  FullFactor::vmult(CellVector &y, const CellVector &x) const
+  FullFactor::vmult(Vector &y, const Vector &x) const
   {
     numbering.extract(x, values);
     mumps.solve(values);

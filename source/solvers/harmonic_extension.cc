@@ -82,7 +82,7 @@ namespace lumbricus
       // of the unknowns inside.
       template <typename Function>
       void
-      add_product(CellVector &y, const Function &read_cell) const
+      add_product(Vector &y, const Function &read_cell) const
       {
         double x_cell[n_per_cell], y_cell[n_per_cell];
         for (const Cell &cell : cells)
@@ -101,7 +101,7 @@ namespace lumbricus
       }
 
       void
-      vmult(CellVector &y, const CellVector &x) const
+      vmult(Vector &y, const Vector &x) const
       {
         x.update_ghost_values();
         y = 0.;
@@ -114,10 +114,10 @@ namespace lumbricus
             y.local_element(k) = x.local_element(k);
       }
 
-      CellVector
+      Vector
       inverse_diagonal() const
       {
-        CellVector diagonal;
+        Vector diagonal;
         unknowns.reinit_vector(diagonal);
         for (const Cell &cell : cells)
           for (unsigned int n = 0; n < n_nodes; ++n)
@@ -144,7 +144,7 @@ namespace lumbricus
 
       const CellUnknowns &unknowns;
       std::vector<Cell>   cells;
-      CellVector          is_inside; // 1 or 0
+      Vector              is_inside; // 1 or 0
     };
 
 
@@ -180,7 +180,7 @@ namespace lumbricus
 
 
 
-  CellVector
+  Vector
   harmonic_correction(const Body              &body,
                       const CellUnknowns      &unknowns,
                       const Vector            &relevant_solution,
@@ -207,7 +207,7 @@ namespace lumbricus
       }
     laplacian.close();
 
-    CellVector right_hand_side, correction;
+    Vector right_hand_side, correction;
     unknowns.reinit_vector(right_hand_side);
     unknowns.reinit_vector(correction);
     auto next = u_of_cells.begin();
@@ -221,10 +221,9 @@ namespace lumbricus
     const double norm = right_hand_side.l2_norm();
     if (norm == 0.)
       return correction;
-    const dealii::DiagonalMatrix<CellVector> jacobi(
-      laplacian.inverse_diagonal());
+    const dealii::DiagonalMatrix<Vector> jacobi(laplacian.inverse_diagonal());
     dealii::SolverControl        control(10000, 1e-10 * norm);
-    dealii::SolverCG<CellVector> cg(control);
+    dealii::SolverCG<Vector>             cg(control);
     cg.solve(laplacian, correction, right_hand_side, jacobi);
     correction.update_ghost_values();
     return correction;

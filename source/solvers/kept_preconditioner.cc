@@ -57,9 +57,9 @@ namespace lumbricus
 
 
   void
-  KeptPreconditioner::solve(CellVector       &x,
-                            const CellVector &b,
-                            const double      wanted_tolerance)
+  KeptPreconditioner::solve(Vector       &x,
+                            const Vector &b,
+                            const double  wanted_tolerance)
   {
     const double tolerance = std::min(wanted_tolerance, least_accuracy);
     try
@@ -135,16 +135,16 @@ namespace lumbricus
 
 
   bool
-  KeptPreconditioner::iterate(CellVector       &x,
-                              const CellVector &b,
-                              const double      tolerance)
+  KeptPreconditioner::iterate(Vector       &x,
+                              const Vector &b,
+                              const double  tolerance)
   {
     dealii::Timer         timer;
     dealii::SolverControl control(most_iterations, tolerance * b.l2_norm());
     // With a basis of one vector FGMRES counts no iterations, and does not end.
-    dealii::SolverFGMRES<CellVector> solver(
+    dealii::SolverFGMRES<Vector> solver(
       control,
-      dealii::SolverFGMRES<CellVector>::AdditionalData(
+      dealii::SolverFGMRES<Vector>::AdditionalData(
         std::max(2u, most_iterations)));
     bool converged = true;
     x              = 0.;

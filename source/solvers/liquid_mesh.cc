@@ -82,7 +82,7 @@ namespace lumbricus
     relaxed_state(const Body                &body,
                   const CellUnknowns        &unknowns,
                   const std::vector<bool>   &in_segment,
-                  const CellVector          &correction,
+                  const Vector              &correction,
                   const std::vector<double> &pressures,
                   CellStateReader           &reader,
                   const State               &state)
@@ -108,7 +108,6 @@ namespace lumbricus
         *p = pressures[cell.region.segment] / constant_mode;
         writer.write(cell.iterator, values);
       });
-      relaxed.compress();
       return relaxed;
     }
   } // namespace
@@ -156,7 +155,7 @@ namespace lumbricus
     if (!any())
       return {};
 
-    const CellVector correction =
+    const Vector correction =
       harmonic_correction(body, unknowns, before, relaxation.in_segment);
     CellStateReader reader(space, state);
     const auto pressures  = mean_pressures(body, relaxation.in_segment, reader);

@@ -202,6 +202,5 @@ namespace lumbricus
                 u_vol(index) = u;
             }
       }
-    state.compress();
   }
 } // namespace lumbricus

@@ -57,12 +57,12 @@ namespace lumbricus
 
 
 
-  CellVector
-  Stability::mass(const CellVector &v) const
+  Vector
+  Stability::mass(const Vector &v) const
   {
     const CellUnknowns &unknowns = tangent.unknowns;
     const ShapeCache   &shapes   = body.shapes;
-    CellVector          result;
+    Vector              result;
     unknowns.reinit_vector(result);
     double v_cell[n_per_cell], result_cell[n_per_cell];
     v.update_ghost_values();
@@ -92,7 +92,7 @@ namespace lumbricus
   {
     // Begin with some force that has no symmetry.
     const CellUnknowns &unknowns = tangent.unknowns;
-    CellVector          f;
+    Vector              f;
     unknowns.reinit_vector(f);
     const double size = body.anatomy.geometry().characteristic_length();
     for_each_wall_cell(body, [&](const OwnedCell &cell) {
@@ -125,7 +125,7 @@ namespace lumbricus
   Stability::Motion
   Stability::follow(const Motion &before, const Motion &other) const
   {
-    CellVector f = mass(before.v);
+    Vector f = mass(before.v);
     f.add(-(before.v * mass(other.v)), mass(other.v));
     return response(f);
   }
@@ -133,7 +133,7 @@ namespace lumbricus
 
 
   Stability::Motion
-  Stability::response(const CellVector &f) const
+  Stability::response(const Vector &f) const
   {
     Motion motion;
     tangent.unknowns.reinit_vector(motion.v);

@@ -48,7 +48,7 @@ namespace
     }
 
     void
-    vmult(CellVector &y, const CellVector &x) const override
+    vmult(Vector &y, const Vector &x) const override
     {
       ASSERT_TRUE(ready);
       if (fails == Fails::applying)
@@ -113,8 +113,8 @@ namespace
     void
     solve(const double tolerance = 1e-8)
     {
-      const CellVector &b = body.model->assembler.right_hand_side();
-      CellVector        x(b), r(b);
+      const Vector &b = body.model->assembler.right_hand_side();
+      Vector        x(b), r(b);
       solver.solve(x, b, tolerance);
       tangent().vmult(r, x);
       r -= b;

@@ -80,20 +80,20 @@ namespace
           }
     }
 
-    static CellVector
+    static Vector
     zero(const CellUnknowns &on)
     {
-      CellVector x;
+      Vector x;
       on.reinit_vector(x);
       return x;
     }
 
     // A vector with noise in the free unknowns, the same on any number of
     // ranks up to their order.
-    CellVector
+    Vector
     noise(const CellUnknowns &on, const double seed) const
     {
-      CellVector x = zero(on);
+      Vector x = zero(on);
       for (unsigned int k = 0; k < x.locally_owned_size(); ++k)
         if (!on.is_constrained()[k])
           x.local_element(k) =
@@ -103,7 +103,7 @@ namespace
 
     // x^T K x of the cells of a level.
     double
-    energy(const VCycle &v_cycle, const unsigned int l, CellVector &x) const
+    energy(const VCycle &v_cycle, const unsigned int l, Vector &x) const
     {
       constexpr unsigned int n     = CellUnknowns::n_per_cell;
       const Level           &level = v_cycle.meshes().level(l);
@@ -155,7 +155,7 @@ TEST_F(MultigridBlock, ProlongationOfAQuadraticIsExact)
 {
   make(false);
   const VCycle                                 v_cycle(tangent, parameters);
-  CellVector                                   exact = zero(unknowns);
+  Vector                                       exact = zero(unknowns);
   std::vector<dealii::types::global_dof_index> indices(
     space.fe.n_dofs_per_cell());
   for (const auto &cell : space.dof_handler.active_cell_iterators())
@@ -172,8 +172,8 @@ TEST_F(MultigridBlock, ProlongationOfAQuadraticIsExact)
               }
       }
   const auto &hierarchy = v_cycle.meshes();
-  CellVector  x         = zero(*hierarchy.level(0).unknowns);
-  const auto  inject    = [&](const Level &level, CellVector &on_level) {
+  Vector      x         = zero(*hierarchy.level(0).unknowns);
+  const auto  inject    = [&](const Level &level, Vector &on_level) {
     on_level = zero(*level.unknowns);
     for (unsigned int k = 0; k < level.on_finest.size(); ++k)
       if (level.on_finest[k] != dealii::numbers::invalid_unsigned_int)
@@ -182,7 +182,7 @@ TEST_F(MultigridBlock, ProlongationOfAQuadraticIsExact)
   inject(hierarchy.level(0), x);
   for (unsigned int l = 0; l + 1 < hierarchy.n_levels(); ++l)
     {
-      CellVector fine = zero(*hierarchy.level(l + 1).unknowns);
+      Vector fine = zero(*hierarchy.level(l + 1).unknowns);
       v_cycle.prolongate_and_add(l, x, fine);
       x = fine;
     }
@@ -203,8 +203,8 @@ TEST_F(MultigridBlock, RestrictionIsTheTransposeOfProlongation)
     {
       const CellUnknowns &below = *v_cycle.meshes().level(l).unknowns;
       const CellUnknowns &above = *v_cycle.meshes().level(l + 1).unknowns;
-      const CellVector    x = noise(below, 1.), y = noise(above, 2.);
-      CellVector          Px = zero(above), PTy = zero(below);
+      const Vector        x = noise(below, 1.), y = noise(above, 2.);
+      Vector              Px = zero(above), PTy = zero(below);
       v_cycle.prolongate_and_add(l, x, Px);
       v_cycle.restrict_to(l, y, PTy);
       EXPECT_NEAR(Px * y, x * PTy, 1e-11 * x.l2_norm() * y.l2_norm());
@@ -220,8 +220,8 @@ TEST_F(MultigridBlock, CoarseMatricesAreThoseOfTheProlongatedFunctions)
   v_cycle.factor();
   for (unsigned int l = 0; l + 1 < v_cycle.meshes().n_levels(); ++l)
     {
-      CellVector x  = noise(*v_cycle.meshes().level(l).unknowns, 3.);
-      CellVector Px = zero(*v_cycle.meshes().level(l + 1).unknowns);
+      Vector x  = noise(*v_cycle.meshes().level(l).unknowns, 3.);
+      Vector Px = zero(*v_cycle.meshes().level(l + 1).unknowns);
       v_cycle.prolongate_and_add(l, x, Px);
       const double coarse = energy(v_cycle, l, x);
       EXPECT_NEAR(coarse, energy(v_cycle, l + 1, Px), 1e-11 * std::abs(coarse));
@@ -236,7 +236,7 @@ TEST_F(MultigridBlock, SolvesAsTheDirectSolverDoes)
   const auto direct    = read_plugin<LinearSolver>("direct");
   const auto multigrid = read_plugin<LinearSolver>(
     "multigrid", "set Coarsest unknowns = 0\nset Most iterations = 40");
-  CellVector b = noise(unknowns, 0.7), x = zero(unknowns), y = zero(unknowns);
+  Vector b = noise(unknowns, 0.7), x = zero(unknowns), y = zero(unknowns);
   direct->reinit(tangent);
   direct->solve(x, b, 1e-9);
   multigrid->reinit(tangent);

@@ -45,7 +45,6 @@ namespace lumbricus
       Vector      v(space.locally_owned, comm);
       for (const auto i : space.locally_owned)
         v(i) = size * std::sin(1. + 12.9898 * i + 78.233 * seed);
-      v.compress(dealii::VectorOperation::insert);
       model->supports.constraints().distribute(v);
       return v;
     }

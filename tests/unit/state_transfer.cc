@@ -87,7 +87,6 @@ namespace
             values[pressures[k] + m] = noise(cell->center(), m + k);
         writer.write(cell, values);
       });
-      state.compress();
     }
 
     template <typename Function>

@@ -144,10 +144,10 @@ end
       state.solution.add(1., x);
     }
 
-    CellVector
+    Vector
     free_part(const Vector &v) const
     {
-      CellVector result;
+      Vector result;
       result.reinit(model->assembler.right_hand_side());
       const auto &constrained =
         model->assembler.tangent().unknowns.is_constrained();
@@ -212,9 +212,9 @@ end
     difference.add(-1., body.residual(minus));
     difference /= 2. * h;
 
-    CellVector Kd = body.free_part(d);
+    Vector Kd = body.free_part(d);
     tangent().vmult(Kd, body.free_part(d));
-    CellVector expected = body.free_part(difference);
+    Vector expected = body.free_part(difference);
     Kd -= expected;
     EXPECT_LT(Kd.l2_norm(), 1e-7 * expected.l2_norm());
   }
@@ -223,9 +223,9 @@ end
 
   TEST_P(Tangents, IsSymmetricUnlessLoadsFollow)
   {
-    const CellVector a = body.free_part(body.random(1., 3));
-    const CellVector b = body.free_part(body.random(1., 4));
-    CellVector       Ka(a), Kb(b);
+    const Vector a = body.free_part(body.random(1., 3));
+    const Vector b = body.free_part(body.random(1., 4));
+    Vector       Ka(a), Kb(b);
     tangent().vmult(Ka, a);
     tangent().vmult(Kb, b);
     const double scale = Ka.l2_norm() * b.l2_norm();
@@ -242,8 +242,8 @@ end
   TEST_P(Tangents, MatricesOfCellsAddUpToTheOperator)
   {
     const CellUnknowns &unknowns = tangent().unknowns;
-    CellVector          a        = body.free_part(body.random(1., 5));
-    CellVector          Ka(a), sum(a);
+    Vector              a        = body.free_part(body.random(1., 5));
+    Vector              Ka(a), sum(a);
     std::vector<double> K;
     tangent().vmult(Ka, a);
     a.update_ghost_values();
@@ -268,10 +268,10 @@ end
 
   TEST_P(Tangents, AllLinearSolversAgree)
   {
-    const CellVector b      = body.free_part(body.random(1., 6));
+    const Vector     b      = body.free_part(body.random(1., 6));
     const auto       direct = Registry<LinearSolver>::create("direct");
     direct->reinit(tangent());
-    CellVector exact(b);
+    Vector exact(b);
     direct->solve(exact, b, 1e-6);
     for (const auto &name :
          dealii::Utilities::split_string_list(Registry<LinearSolver>::names(),
@@ -279,7 +279,7 @@ end
       {
         const auto solver = Registry<LinearSolver>::create(name);
         solver->reinit(tangent());
-        CellVector x(b), r(b);
+        Vector x(b), r(b);
         solver->solve(x, b, 1e-10);
         tangent().vmult(r, x);
         r -= b;
@@ -327,17 +327,16 @@ end
                 of_liquid[space.locally_owned.index_within_set(indices[k])] =
                   true;
         }
-    state.compress(dealii::VectorOperation::insert);
     model.equilibrium.start_from(state);
     model.assembler.linearise(state, body.state.time);
 
     // Only the liquid moves.
-    CellVector d = body.free_part(body.random(1., 7));
+    Vector d = body.free_part(body.random(1., 7));
     for (unsigned int i = 0; i < of_liquid.size(); ++i)
       if (!of_liquid[i])
         d.local_element(i) = 0.;
     const auto force_on_liquid = [&]() {
-      CellVector Kd(d);
+      Vector Kd(d);
       model.assembler.tangent().vmult(Kd, d);
       double sum = 0.;
       for (unsigned int i = 0; i < of_liquid.size(); ++i)
@@ -366,7 +365,7 @@ end
         body.state.solution.add(1., body.random(0.02, k));
         model.equilibrium.start_from(body.state.solution);
         model.assembler.linearise(body.state.solution, body.state.time);
-        CellVector fresh;
+        Vector fresh;
         model.assembler.tangent().unknowns.reinit_vector(fresh);
         EXPECT_TRUE(model.assembler.right_hand_side()
                       .get_partitioner()

@@ -362,7 +362,7 @@ end
   model.assembler.linearise(u, 0.5);
   const Tangent &tangent   = model.assembler.tangent();
   const auto     free_part = [&](const Vector &v) {
-    CellVector result;
+    Vector result;
     result.reinit(model.assembler.right_hand_side());
     const auto &constrained = tangent.unknowns.is_constrained();
     for (unsigned int i = 0; i < constrained.size(); ++i)
@@ -376,8 +376,8 @@ end
   Vector difference = residual(plus);
   difference.add(-1., residual(minus));
   difference /= 2. * step;
-  CellVector       Kd       = free_part(d);
-  const CellVector expected = free_part(difference);
+  Vector       Kd       = free_part(d);
+  const Vector expected = free_part(difference);
   tangent.vmult(Kd, free_part(d));
   Kd -= expected;
   EXPECT_LT(Kd.l2_norm(), 1e-7 * expected.l2_norm());

@@ -2,7 +2,7 @@
 #ifndef lumbricus_core_state_h
 #define lumbricus_core_state_h
 
-#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <deque>
 #include <map>
@@ -12,8 +12,13 @@
 
 namespace lumbricus
 {
-  /** What a state is made of: Trilinos' distributed vectors. */
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+  /**
+   * The vector of all of the program: of states, of residuals, of what cells
+   * read from and add to, and of Krylov methods. Those of a state have owned
+   * entries alone; who needs those of other ranks makes a copy that has them
+   * (MixedSpace::with_ghosts()) and is only read.
+   */
+  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
   /** What a state consists of, without the numbers on the mesh. */
   struct StateOutline
@@ -65,18 +70,6 @@ namespace lumbricus
       for (const auto &history : histories)
         found.histories.insert(history.first);
       return found;
-    }
-
-    /** After entries have been set. Collective. */
-    void
-    compress()
-    {
-      const auto set = dealii::VectorOperation::insert;
-      solution.compress(set);
-      for (auto &[name, vector] : histories)
-        vector.compress(set);
-      for (Past &earlier : past)
-        earlier.solution.compress(set);
     }
   };
 } // namespace lumbricus

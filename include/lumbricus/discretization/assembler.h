@@ -74,7 +74,8 @@ namespace lumbricus
     bool
     update_constraints();
 
-    /** Compute the residual r at @p solution and time @p t. Collective. */
+    /** Compute the residual r at @p solution and time @p t; r may be any vector
+     * before. Collective. */
     Report
     residual(const Vector &solution, const LoadTime &t, Vector &r);
 
@@ -91,14 +92,16 @@ namespace lumbricus
 
     /** That of linearise(): -r, and what the inhomogeneities of the constraints
      * add to it [N and mm^3]. */
-    const CellVector &
+    const Vector &
     right_hand_side() const;
 
   private:
+    /** Compute the residual @p sum and, if asked for, the tangent. */
     Report
     assemble(const Vector   &solution,
              const LoadTime &t,
-             const bool      with_tangent);
+             const bool      with_tangent,
+             Vector         &sum);
 
     /**
      * Subtract the boundary tractions of @p cell, at the displacements that the
@@ -137,9 +140,8 @@ namespace lumbricus
 
     CellUnknowns unknowns;
     Tangent      linearisation;
-    CellVector   u;
-    CellVector   sum;
-    CellVector   rhs;
+    Vector       u; // the solution with ghost entries
+    Vector       rhs;
 
     RoundingLevel rounding;
 

@@ -9,7 +9,6 @@
 #include <deal.II/base/partitioner.h>
 #include <deal.II/base/types.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
 #include <memory>
 #include <utility>
@@ -17,11 +16,6 @@
 
 namespace lumbricus
 {
-  /** Vectors that cells read from and add to, and Krylov methods work with. */
-  using CellVector = dealii::LinearAlgebra::distributed::Vector<double>;
-
-
-
   /**
    * How the unknowns of the locally owned cells hang together with the free
    * unknowns of the problem: u_cell = C x (+ inhomogeneity), where C is the
@@ -87,18 +81,18 @@ namespace lumbricus
     update_inhomogeneities(
       const dealii::AffineConstraints<double> &constraints);
 
-    /** Give @p x the ghost entries that the owned cells need. (Assignment keeps
-     * those that a vector has.) */
+    /** Make @p x zero, with places for the ghost entries that the owned cells
+     * need. (Assignment keeps those that a vector has.) */
     void
-    reinit_vector(CellVector &x) const;
+    reinit_vector(Vector &x) const;
 
     /** Read the entries of owned cell @p i as they are. */
     void
-    read(const unsigned int i, const CellVector &x, double *values) const;
+    read(const unsigned int i, const Vector &x, double *values) const;
 
     /** values = C x. */
     void
-    read_free(const unsigned int i, const CellVector &x, double *values) const;
+    read_free(const unsigned int i, const Vector &x, double *values) const;
 
     /** Set values to the inhomogeneity; @return whether there is any. */
     bool
@@ -106,7 +100,7 @@ namespace lumbricus
 
     /** x += C^T values. */
     void
-    add(const unsigned int i, const double *values, CellVector &x) const;
+    add(const unsigned int i, const double *values, Vector &x) const;
 
     /** The free unknowns that owned cell @p i hangs on, as places in a vector;
      * its private unknowns come first. */

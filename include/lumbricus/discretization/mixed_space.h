@@ -10,6 +10,7 @@
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/iterator_range.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/partitioner.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/types.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -22,6 +23,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 
 namespace lumbricus
 {
@@ -81,9 +83,15 @@ namespace lumbricus
     zero_state(const StateOutline &outline) const;
 
     /** @p solution, which has owned entries, with those that the owned cells
-     * need. Collective. */
+     * need, to be read only. Collective. */
     Vector
     with_ghosts(const Vector &solution) const;
+
+    /** Make @p x zero, with places for the ghost entries that this rank's cells
+     * and the ghosts around have. (Assignment may keep those of an old mesh.)
+     */
+    void
+    reinit_vector(Vector &x) const;
 
     /** A range of the cells of dof_handler that this rank owns. */
     dealii::IteratorRange<
@@ -124,7 +132,12 @@ namespace lumbricus
     std::array<std::array<unsigned int, n_nodes>, dim> rest_dof;
 
   private:
+    using Partitioner = dealii::Utilities::MPI::Partitioner;
+
     NestedShape shape;
+    /** How vectors are spread over the ranks: of unknowns without and with
+     * ghost entries, and of u_ref and u_vol. Vectors share them. */
+    std::shared_ptr<const Partitioner> owned, relevant, rest_owned;
     /** The elements of wall and liquid where these are separate. */
     const dealii::hp::FECollection<dim> separate_fes;
   };

@@ -36,7 +36,7 @@ namespace lumbricus
 
     /** y = K x. Collective. */
     void
-    vmult(CellVector &y, const CellVector &x) const;
+    vmult(Vector &y, const Vector &x) const;
 
     /** y_cell = K_cell x_cell for owned cell @p i, without constraints. */
     void

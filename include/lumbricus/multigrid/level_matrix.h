@@ -51,7 +51,7 @@ namespace lumbricus
 
     /** Give @p x the entries of all columns. */
     void
-    reinit_vector(CellVector &x) const
+    reinit_vector(Vector &x) const
     {
       x.reinit(columns);
     }
@@ -90,7 +90,7 @@ namespace lumbricus
 
     /** r = b - A x on the owned rows; @p x has its ghost values. */
     void
-    residual(const CellVector &x, const double *b, double *r) const;
+    residual(const Vector &x, const double *b, double *r) const;
 
     /** The free unknowns of owned cell @p i, as places. */
     const std::vector<unsigned int> &

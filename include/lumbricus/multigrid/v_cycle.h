@@ -64,7 +64,7 @@ namespace lumbricus
     factor() override;
 
     void
-    vmult(CellVector &y, const CellVector &x) const override;
+    vmult(Vector &y, const Vector &x) const override;
 
     double
     cost() const override;
@@ -79,14 +79,12 @@ namespace lumbricus
     /** x_(l+1) += P x_l, with x_l in @p coarse. Collective. */
     void
     prolongate_and_add(const unsigned int l,
-                       const CellVector  &coarse,
-                       CellVector        &fine) const;
+                       const Vector      &coarse,
+                       Vector            &fine) const;
 
     /** x_l = P^T x_(l+1), with x_l in @p coarse. Collective. */
     void
-    restrict_to(const unsigned int l,
-                const CellVector  &fine,
-                CellVector        &coarse) const;
+    restrict_to(const unsigned int l, const Vector &fine, Vector &coarse) const;
 
     /** The matrix of cell @p i on a level below the finest, by rows, without
      * constraints. */
@@ -102,18 +100,18 @@ namespace lumbricus
     {
       LevelMatrix        matrix;
       Vanka              smoother;
-      mutable CellVector x, b, defect, work;
+      mutable Vector     x, b, defect, work;
       /** Of the correction by the next coarser level. */
-      mutable CellVector coarse_x, coarse_b;
+      mutable Vector coarse_x, coarse_b;
       /** 1 / number of cells of each owned unknown; 0 where constrained. */
-      CellVector weight;
+      Vector weight;
     };
 
     void
-    cycle(const unsigned int l, CellVector &x, const CellVector &b) const;
+    cycle(const unsigned int l, Vector &x, const Vector &b) const;
 
     void
-    solve_coarsest(CellVector &x, const CellVector &b) const;
+    solve_coarsest(Vector &x, const Vector &b) const;
 
     void
     gather_split(const unsigned int l);

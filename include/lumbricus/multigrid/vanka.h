@@ -46,10 +46,10 @@ namespace lumbricus
      * @p b has its ghost values, @p x has none before and after.
      */
     void
-    sweep(CellVector       &x,
-          const CellVector &b,
-          const bool        backward,
-          const bool        x_is_zero) const;
+    sweep(Vector       &x,
+          const Vector &b,
+          const bool    backward,
+          const bool    x_is_zero) const;
 
   private:
     struct Patch
@@ -70,7 +70,7 @@ namespace lumbricus
     std::vector<double>         rank_weight;
     std::vector<double>         patch_weight; // by place
     mutable std::vector<double> before;
-    mutable CellVector          frozen;
+    mutable Vector              frozen;
   };
 } // namespace lumbricus
 

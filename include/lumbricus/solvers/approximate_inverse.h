@@ -28,7 +28,7 @@ namespace lumbricus
 
     /** y = an approximation of K^(-1) x. */
     virtual void
-    vmult(CellVector &y, const CellVector &x) const = 0;
+    vmult(Vector &y, const Vector &x) const = 0;
 
     /** What factor() costs, in applications of vmult(): from counts of
      * operations, so that it is the same in every run. */

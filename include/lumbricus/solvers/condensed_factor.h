@@ -57,7 +57,7 @@ namespace lumbricus
     factor() override;
 
     void
-    vmult(CellVector &y, const CellVector &x) const override;
+    vmult(Vector &y, const Vector &x) const override;
 
     double
     cost() const override;
@@ -86,7 +86,7 @@ namespace lumbricus
     std::vector<std::array<double, n_private * n_private>> inverses;
     std::vector<std::vector<float>>                        couplings;
     mutable std::vector<float>                             values;
-    mutable CellVector                                     reduced;
+    mutable Vector                                         reduced;
   };
 } // namespace lumbricus
 

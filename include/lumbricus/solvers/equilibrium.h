@@ -98,8 +98,7 @@ namespace lumbricus
     std::vector<unsigned char> component;
     Vector                     r;
     /** Where slip is counted from. */
-    Vector     start;
-    CellVector increment;
+    Vector start;
   };
 } // namespace lumbricus
 

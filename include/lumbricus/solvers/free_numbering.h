@@ -33,7 +33,7 @@ namespace lumbricus
            const bool          with_private,
            const MPI_Comm      comm);
 
-    /** The number of the free unknown at @p place of a CellVector. */
+    /** The number of the free unknown at @p place of a vector. */
     unsigned int
     number(const unsigned int place) const
     {
@@ -43,7 +43,7 @@ namespace lumbricus
     /** Copy the numbered entries that this rank owns from a vector. */
     template <typename Number>
     void
-    extract(const CellVector &x, std::vector<Number> &values) const
+    extract(const Vector &x, std::vector<Number> &values) const
     {
       values.resize(owned_places.size());
       for (unsigned int k = 0; k < owned_places.size(); ++k)
@@ -53,7 +53,7 @@ namespace lumbricus
     /** Copy them to a vector. */
     template <typename Number>
     void
-    insert(const std::vector<Number> &values, CellVector &x) const
+    insert(const std::vector<Number> &values, Vector &x) const
     {
       for (unsigned int k = 0; k < owned_places.size(); ++k)
         x.local_element(owned_places[k]) = values[k];

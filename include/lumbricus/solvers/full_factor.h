@@ -25,7 +25,7 @@ namespace lumbricus
     factor() override;
 
     void
-    vmult(CellVector &y, const CellVector &x) const override;
+    vmult(Vector &y, const Vector &x) const override;
 
     double
     cost() const override;

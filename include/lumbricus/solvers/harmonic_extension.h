@@ -22,7 +22,7 @@ namespace lumbricus
    * @return corrections of the free unknowns in @p unknowns, zero but inside
    * the liquid of the segments. Collective.
    */
-  CellVector
+  Vector
   harmonic_correction(const Body              &body,
                       const CellUnknowns      &unknowns,
                       const Vector            &relevant_solution,

@@ -31,9 +31,7 @@ namespace lumbricus
     reinit(const Tangent &tangent) override;
 
     void
-    solve(CellVector       &x,
-          const CellVector &b,
-          const double      wanted_tolerance) override;
+    solve(Vector &x, const Vector &b, const double wanted_tolerance) override;
 
   protected:
     /** The inverse of kind @p kind for the pattern of @p tangent: the fastest
@@ -53,7 +51,7 @@ namespace lumbricus
 
     /** @return whether FGMRES converged. */
     bool
-    iterate(CellVector &x, const CellVector &b, const double tolerance);
+    iterate(Vector &x, const Vector &b, const double tolerance);
 
     /** Let the next kind follow. Throws ExcNotConverged where there is none. */
     void

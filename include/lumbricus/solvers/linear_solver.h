@@ -42,11 +42,12 @@ namespace lumbricus
 
     /**
      * Solve with what the tangent is now, to the relative residual
-     * @p tolerance or better; x is zero in the constrained unknowns. Throws
-     * ExcNotConverged where that is not possible.
+     * @p tolerance or better; x is zero in the constrained unknowns. Both
+     * vectors are made by CellUnknowns::reinit_vector(). Throws ExcNotConverged
+     * where that is not possible.
      */
     virtual void
-    solve(CellVector &x, const CellVector &b, const double tolerance) = 0;
+    solve(Vector &x, const Vector &b, const double tolerance) = 0;
 
     /** What it did since it was made. */
     const LinearSolverStatistics &

@@ -32,7 +32,7 @@ namespace lumbricus
     /** A motion and its stiffness. */
     struct Motion
     {
-      CellVector v;              ///< |v| = 1
+      Vector     v;              ///< |v| = 1
       double     stiffness = 0.; ///< k(v) [N/mm^4]
     };
 
@@ -50,7 +50,7 @@ namespace lumbricus
     /** The motion by which the body answers to a small force @p f. Throws
      * ExcNotConverged. Collective. */
     Motion
-    response(const CellVector &f) const;
+    response(const Vector &f) const;
 
     /** int_wall v . w dV, between 0 and 1: how much alike two motions are.
      * Collective. */
@@ -64,8 +64,8 @@ namespace lumbricus
 
   private:
     /** M v, where v . M v = int_wall |v|^2 dV. */
-    CellVector
-    mass(const CellVector &v) const;
+    Vector
+    mass(const Vector &v) const;
 
     const Body     body;
     const Tangent &tangent;
