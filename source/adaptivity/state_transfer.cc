@@ -126,9 +126,11 @@ namespace lumbricus
               const std::vector<Values> &values,
               State                     &state)
     {
-      const double time = state.time;
-      state             = space.initial_state(state.past_times());
-      state.time        = time;
+      const double  time    = state.time;
+      const Globals globals = state.globals;
+      state                 = space.initial_state(state.past_times());
+      state.time            = time;
+      state.globals         = globals;
       CellStateWriter writer(space, state);
       for (const auto &cell : space.dof_handler.active_cell_iterators() |
                                 dealii::IteratorFilters::LocallyOwnedCell())

@@ -422,8 +422,9 @@ namespace lumbricus
   State
   Checkpoint::read_state(const MixedSpace &space) const
   {
-    State state = space.initial_state(run_progress.past);
-    state.time  = run_progress.time;
+    State state   = space.initial_state(run_progress.past);
+    state.time    = run_progress.time;
+    state.globals = run_progress.globals;
 
     // Ranks own contiguous parts of the space-filling curve, then and now: read
     // the files that overlap with this rank's part.

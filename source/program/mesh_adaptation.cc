@@ -24,6 +24,7 @@ namespace lumbricus
       Backup(const ChainModel &model, const State &state)
         : refined(refined_cells(model.triangulation))
         , time(state.time)
+        , globals(state.globals)
         , past(state.past_times())
       {
         std::ostringstream out;
@@ -39,8 +40,9 @@ namespace lumbricus
         model.number_unknowns();
         model.reinit();
 
-        state      = model.space.initial_state(past);
-        state.time = time;
+        state         = model.space.initial_state(past);
+        state.time    = time;
+        state.globals = globals;
         // Cells may have come to other ranks.
         CellReader reader(model.space, state);
         for (const std::string &of_rank :
@@ -58,6 +60,7 @@ namespace lumbricus
 
     private:
       const double              time;
+      const Globals             globals;
       const std::vector<double> past;
       std::string               cells;
     };

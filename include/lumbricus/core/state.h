@@ -14,6 +14,10 @@ namespace lumbricus
   /** What a state is made of: Trilinos' distributed vectors. */
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
+  /** Unknowns that are not those of any node, the same on all ranks: one or
+   * more of each name, which has no blanks. */
+  using Globals = std::map<std::string, std::vector<double>>;
+
   /**
    * All that a run has to remember, as a value: copy it to roll back.
    * Only Newton's method writes the solution, only the reset writes the
@@ -32,6 +36,8 @@ namespace lumbricus
     double time = 0.;
     /** Displacement u [mm] and pressure variable p [N/mm^2], owned entries. */
     Vector solution;
+    /** The global unknowns, of every Border there is. */
+    Globals globals;
     /** Vector fields that have a value at each node of each cell, by name:
      * NodalHistory gives them. */
     std::map<std::string, Vector> histories;
