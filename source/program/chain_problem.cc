@@ -7,11 +7,37 @@
 #include <lumbricus/program/mesh_adaptation.h>
 #include <lumbricus/program/run_log.h>
 
+#include <algorithm>
 #include <iostream>
 #include <sstream>
 
 namespace lumbricus
 {
+  namespace
+  {
+    // Throw ExcInput where a checkpoint has other global unknowns than the body.
+    void
+    check_globals(const Checkpoint &checkpoint, const Globals &of_body)
+    {
+      const auto is_like = [](const auto &one, const auto &other) {
+        return one.first == other.first &&
+               one.second.size() == other.second.size();
+      };
+      const Globals &found = checkpoint.progress().globals;
+      AssertThrow(std::equal(found.begin(),
+                             found.end(),
+                             of_body.begin(),
+                             of_body.end(),
+                             is_like),
+                  ExcInput("The checkpoint '" + checkpoint.path() +
+                           "' has other global unknowns than the body of its "
+                           "parameters. Start the run from its parameter "
+                           "file."));
+    }
+  } // namespace
+
+
+
   ChainProblem::ChainProblem(RunParameters &parameters,
                              Log           &log,
                              const MPI_Comm comm)
@@ -63,6 +89,7 @@ namespace lumbricus
     if (checkpoint != nullptr)
       {
         first_state = checkpoint->read_state(model.space);
+        check_globals(*checkpoint, model.equilibrium.globals_at_rest());
         continue_path(*checkpoint);
         folder.continue_tables(checkpoint->progress().tables);
         so_far.step    = checkpoint->progress().step;
@@ -70,7 +97,10 @@ namespace lumbricus
         so_far.seconds = checkpoint->progress().elapsed_seconds;
       }
     else
-      first_state = model.space.initial_state();
+      {
+        first_state         = model.space.initial_state();
+        first_state.globals = model.equilibrium.globals_at_rest();
+      }
     so_far.end_time = parameters.load_stepping.end_time();
     results = std::make_unique<Results>(folder,
                                         model.space,
@@ -272,7 +302,8 @@ namespace lumbricus
     progress.elapsed_seconds = step.elapsed_seconds;
     for (const auto &history : state.histories)
       progress.histories.insert(history.first);
-    progress.past = state.past_times();
+    progress.globals = state.globals;
+    progress.past    = state.past_times();
     results->note(progress);
     return progress;
   }

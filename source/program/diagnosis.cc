@@ -27,7 +27,7 @@ namespace lumbricus
     {
       model.set_to(state, t);
       model.equilibrium.forget_factors();
-      model.equilibrium.linearise(state.solution);
+      model.equilibrium.linearise({state.solution, state.globals});
     }
 
 
@@ -91,7 +91,8 @@ namespace lumbricus
         const double likeness = stability.likeness(softest, answer);
         const auto   place    = stability.place(softest);
 
-        const State at_rest = model.space.initial_state();
+        State at_rest   = model.space.initial_state();
+        at_rest.globals = model.equilibrium.globals_at_rest();
         linearise(model, at_rest, at_rest.time);
         const double softest_part =
           softest.stiffness / stability.softest_motion().stiffness;
