@@ -447,7 +447,8 @@ namespace lumbricus
     State state = space.zero_state({run_progress.time,
                                     run_progress.time,
                                     run_progress.past,
-                                    run_progress.histories});
+                                    run_progress.histories,
+                                    run_progress.globals});
 
     // Ranks own contiguous parts of the space-filling curve, then and now: read
     // the files that overlap with this rank's part.

@@ -23,6 +23,8 @@ namespace lumbricus
 
     constexpr unsigned int most_past = 100;
 
+    constexpr unsigned int most_globals = 1000000;
+
     constexpr double any_number = std::numeric_limits<double>::lowest();
 
 
@@ -53,6 +55,13 @@ namespace lumbricus
       out << "number " << name << ' ' << value << '\n';
     for (const std::string &name : histories)
       out << "history " << name << '\n';
+    for (const auto &[name, values] : globals)
+      {
+        out << "global " << name << ' ' << values.size();
+        for (const double value : values)
+          out << ' ' << value;
+        out << '\n';
+      }
     for (const double t : past)
       out << "past " << t << '\n';
     for (const auto &[name, content] : tables)
@@ -115,6 +124,17 @@ namespace lumbricus
             const std::string name  = lines.get_word();
             const double      value = lines.get_number(any_number);
             if (!progress.numbers.emplace(name, value).second)
+              lines.fail();
+            continue;
+          }
+        if (item == "global")
+          {
+            const std::string   name = lines.get_word();
+            const auto          n    = lines.get_count(most_globals);
+            std::vector<double> values;
+            while (values.size() < n)
+              values.push_back(lines.get_number(any_number));
+            if (n == 0 || !progress.globals.emplace(name, values).second)
               lines.fail();
             continue;
           }

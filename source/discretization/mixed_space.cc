@@ -134,6 +134,7 @@ namespace lumbricus
     State state;
     state.time      = outline.time;
     state.last_time = outline.last_time;
+    state.globals   = outline.globals;
     state.solution.reinit(owned);
     for (const std::string &name : outline.histories)
       state.histories[name].reinit(rest_owned);

@@ -97,6 +97,7 @@ namespace lumbricus
   {
     StateOutline outline = space.initial_state().outline();
     outline.histories.merge(surface_terms.histories());
+    outline.globals = equilibrium.globals_at_rest();
     return space.zero_state(outline);
   }
 

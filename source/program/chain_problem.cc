@@ -7,11 +7,37 @@
 #include <lumbricus/program/mesh_adaptation.h>
 #include <lumbricus/program/run_log.h>
 
+#include <algorithm>
 #include <iostream>
 #include <sstream>
 
 namespace lumbricus
 {
+  namespace
+  {
+    // Throw ExcInput where a checkpoint has other global unknowns than the body.
+    void
+    check_globals(const Checkpoint &checkpoint, const Globals &of_body)
+    {
+      const auto is_like = [](const auto &one, const auto &other) {
+        return one.first == other.first &&
+               one.second.size() == other.second.size();
+      };
+      const Globals &found = checkpoint.progress().globals;
+      AssertThrow(std::equal(found.begin(),
+                             found.end(),
+                             of_body.begin(),
+                             of_body.end(),
+                             is_like),
+                  ExcInput("The checkpoint '" + checkpoint.path() +
+                           "' has other global unknowns than the body of its "
+                           "parameters. Start the run from its parameter "
+                           "file."));
+    }
+  } // namespace
+
+
+
   ChainProblem::ChainProblem(RunParameters &parameters,
                              Log           &log,
                              const MPI_Comm comm)
@@ -62,9 +88,9 @@ namespace lumbricus
   {
     if (checkpoint != nullptr)
       {
-        first_state =
-          checkpoint->read_state(model.space,
-                                 model.rest_state().outline().histories);
+        const StateOutline at_rest = model.rest_state().outline();
+        first_state = checkpoint->read_state(model.space, at_rest.histories);
+        check_globals(*checkpoint, at_rest.globals);
         continue_path(*checkpoint);
         folder.continue_tables(checkpoint->progress().tables);
         so_far.step    = checkpoint->progress().step;
@@ -274,6 +300,7 @@ namespace lumbricus
     const StateOutline outline = state.outline();
     progress.histories         = outline.histories;
     progress.past              = outline.past;
+    progress.globals           = outline.globals;
     results->note(progress);
     return progress;
   }

@@ -27,7 +27,7 @@ namespace lumbricus
     {
       model.set_to(state, t);
       model.equilibrium.forget_factors();
-      model.equilibrium.linearise(state.solution);
+      model.equilibrium.linearise({state.solution, state.globals});
     }
 
 

@@ -33,7 +33,7 @@ namespace lumbricus
     const Uninterrupted        uninterrupted;
     dealii::TimerOutput::Scope scope(model.timer, "stability");
     model.set_to(state);
-    model.equilibrium.linearise(state.solution);
+    model.equilibrium.linearise({state.solution, state.globals});
     const Stability stability(model.body,
                               model.assembler.tangent(),
                               *model.parameters.linear_solver.get());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/interruption.h>
+#include <lumbricus/solvers/bordered_solver.h>
 #include <lumbricus/solvers/equilibrium.h>
 
 #include <algorithm>
@@ -14,6 +15,16 @@ namespace lumbricus
     // What rounding leaves of the residual is at most this many times what is
     // expected.
     constexpr double certain = 2.;
+
+
+
+    template <typename VectorType>
+    dealii::ArrayView<double>
+    owned_entries(VectorType &v)
+    {
+      const std::size_t n = v.end() - v.begin();
+      return {n > 0 ? &*v.begin() : nullptr, n};
+    }
   } // namespace
 
 
@@ -90,6 +101,39 @@ namespace lumbricus
 
 
   void
+  Equilibrium::set_borders(const std::vector<BorderSource *> &new_sources)
+  {
+    sources = new_sources;
+  }
+
+
+
+  const std::vector<BorderSource *> &
+  Equilibrium::borders() const
+  {
+    return sources;
+  }
+
+
+
+  Globals
+  Equilibrium::globals_at_rest() const
+  {
+    Globals globals;
+    for (const BorderSource *source : sources)
+      for (const auto &of_name : source->globals_at_rest())
+        {
+          Assert(globals.count(of_name.first) == 0,
+                 dealii::ExcMessage("Two borders have unknowns '" +
+                                    of_name.first + "'."));
+          globals.insert(of_name);
+        }
+    return globals;
+  }
+
+
+
+  void
   Equilibrium::set_time(const LoadTime &t, const Vector &solution)
   {
     time              = t;
@@ -131,11 +175,12 @@ namespace lumbricus
 
 
   NonlinearProblem::Residual
-  Equilibrium::residual(const Vector &x)
+  Equilibrium::residual(const Unknowns &x)
   {
     dealii::TimerOutput::Scope scope(timer, "residual");
-    follow(x);
-    const auto report = assembler.residual(x, time, r);
+    follow(x.solution);
+    const auto   report = assembler.residual(x.solution, time, r);
+    const Border rows   = border_at(x, false, owned_entries(r));
 
     double force = 0., volume = 0.;
     for (unsigned int i = 0; i < component.size(); ++i)
@@ -153,6 +198,11 @@ namespace lumbricus
       std::sqrt(dealii::Utilities::MPI::sum(force, comm)) / level;
     residual.volume = dealii::Utilities::MPI::sum(volume, comm) / body_volume;
     residual.gap    = supports.gap() / length;
+    for (unsigned int k = 0; k < rows.size(); ++k)
+      {
+        residual.border += std::abs(rows.residual[k]) / rows.scale[k];
+        residual.border_rounding += certain * rows.rounding[k] / rows.scale[k];
+      }
     residual.force_rounding  = certain * report.force_rounding / level;
     residual.volume_rounding = certain * report.volume_rounding / body_volume;
     residual.valid  = report.valid() && std::isfinite(residual.merit());
@@ -162,23 +212,53 @@ namespace lumbricus
 
 
   void
-  Equilibrium::linearise(const Vector &x)
+  Equilibrium::linearise(const Unknowns &x)
   {
     throw_if_interrupted(body.space.communicator());
     dealii::TimerOutput::Scope scope(timer, "assembly");
-    assembler.linearise(x, time);
+    assembler.linearise(x.solution, time);
+    if (sources.empty())
+      return;
+    rhs = assembler.right_hand_side();
+    rhs *= -1.;
+    border = border_at(x, true, owned_entries(rhs));
+    rhs *= -1.;
   }
 
 
 
   void
-  Equilibrium::solve(Vector &dx, const double tolerance)
+  Equilibrium::solve(Unknowns &dx, const double tolerance)
   {
     dealii::TimerOutput::Scope scope(timer, "linear solver");
-    const Vector              &b = assembler.right_hand_side();
-    dx.reinit(b, true);
-    linear_solver.solve(dx, b, tolerance);
-    supports.constraints().distribute(dx);
+    const Vector &b = assembler.right_hand_side();
+    dx.solution.reinit(b, true);
+    if (sources.empty())
+      linear_solver.solve(dx.solution, b, tolerance);
+    else
+      {
+        std::vector<double> dg, c = border.residual;
+        for (double &entry : c)
+          entry *= -1.;
+        BorderedSolver(linear_solver, assembler.tangent())
+          .solve(dx.solution, dg, rhs, c, border, tolerance);
+        dx.globals = border.write(dg);
+      }
+    supports.constraints().distribute(dx.solution);
+  }
+
+
+
+  Border
+  Equilibrium::border_at(const Unknowns           &x,
+                         const bool                with_derivatives,
+                         dealii::ArrayView<double> entries) const
+  {
+    Border all;
+    for (BorderSource *source : sources)
+      all.append(source->border(
+        x.solution, x.globals, time, with_derivatives, entries));
+    return all;
   }
 
 
@@ -236,10 +316,11 @@ namespace lumbricus
 
 
   std::string
-  Equilibrium::locate_trouble(const Vector &x)
+  Equilibrium::locate_trouble(const Unknowns &x)
   {
     const MixedSpace  &space  = body.space;
-    const auto         report = assembler.residual(x, time, r);
+    const auto         report = assembler.residual(x.solution, time, r);
+    border_at(x, false, owned_entries(r));
     std::ostringstream where;
     if (!report.valid())
       {

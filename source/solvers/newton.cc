@@ -97,6 +97,14 @@ namespace lumbricus
 
 
   double
+  Newton::least_border(const NonlinearProblem::Residual &residual) const
+  {
+    return std::max(volume_tolerance, residual.border_rounding);
+  }
+
+
+
+  double
   Newton::linear_tolerance(const NonlinearProblem::Residual &residual,
                            const double                      last_merit) const
   {
@@ -113,7 +121,8 @@ namespace lumbricus
     constexpr double perhaps = 1e3;
     const bool last =
       deserved * residual.force <= perhaps * least_force(residual) &&
-      deserved * residual.volume <= perhaps * least_volume(residual);
+      deserved * residual.volume <= perhaps * least_volume(residual) &&
+      deserved * residual.border <= perhaps * least_border(residual);
     return last ? accurate : std::max(accurate, deserved);
   }
 
@@ -129,7 +138,7 @@ namespace lumbricus
 
 
   std::vector<NewtonIteration>
-  Newton::solve(NonlinearProblem &problem, Vector &x) const
+  Newton::solve(NonlinearProblem &problem, Unknowns &x) const
   {
     std::vector<NewtonIteration> history;
     const auto                   note = [&](const NewtonIteration &iteration) {
@@ -138,13 +147,14 @@ namespace lumbricus
         listener(iteration);
     };
 
-    Vector     current  = x;
+    Unknowns   current  = x;
     const auto balanced = [&](const NonlinearProblem::Residual &residual) {
       return residual.force <= least_force(residual) &&
              residual.volume <= least_volume(residual) &&
+             residual.border <= least_border(residual) &&
              residual.gap <= least_gap * increment_tolerance;
     };
-    const auto give_up = [&](const std::string &why, const Vector &where) {
+    const auto give_up = [&](const std::string &why, const Unknowns &where) {
       std::ostringstream message;
       message << "Newton's method " << why << " after " << history.size()
               << " iterations";
@@ -167,9 +177,9 @@ namespace lumbricus
     if (!problem.increments_prescribed() && balanced(residual))
       return history;
 
-    Vector dx         = x;
-    Vector trial      = x;
-    double last_merit = 0.;
+    Unknowns dx         = x;
+    Unknowns trial      = x;
+    double   last_merit = 0.;
     while (history.size() < most_iterations)
       {
         problem.linearise(current);
@@ -194,7 +204,7 @@ namespace lumbricus
               break;
             if (whole || halvings == most_halvings)
               {
-                note({trial_residual, problem.increment_size(dx), step_length});
+                note({trial_residual, problem.increment_size(dx.solution), step_length});
                 give_up(trial_residual.valid ? "diverges" :
                                                "inverts an element",
                         trial);
@@ -205,7 +215,7 @@ namespace lumbricus
         problem.increments_taken();
         current  = trial;
         residual = trial_residual;
-        note({residual, problem.increment_size(dx), step_length});
+        note({residual, problem.increment_size(dx.solution), step_length});
         if (step_length == 1. && balanced(residual) &&
             still_to_come(history) <= increment_tolerance)
           {

@@ -89,13 +89,14 @@ namespace lumbricus
     Report             report;
     report.n_resets.assign(n_segments, 0);
 
-    Vector x = guess;
+    Unknowns x{guess, state.globals};
     for (unsigned int n_resets = 0;; ++n_resets)
       {
         Solve solve;
         equilibrium.start_from(state.solution);
         solve.newton   = newton.solve(equilibrium, x);
-        state.solution = x;
+        state.solution = x.solution;
+        state.globals  = x.globals;
 
         dealii::TimerOutput::Scope scope(timer, "reset");
         const Vector relevant = body.space.with_ghosts(state.solution);

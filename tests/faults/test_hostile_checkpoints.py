@@ -190,6 +190,9 @@ LIES = {
     "an empty progress": whole(P, b""),
     "a progress of zeros": whole(P, bytes(1000)),
     "a progress without end": whole(P, b"time 1" * 100000),
+    "a global that is not the body's": added(P, b"global pressure 1 0.5\n"),
+    "a global of nan": added(P, b"global pressure 1 nan\n"),
+    "a global of too few": added(P, b"global pressure 2 0.5\n"),
     "a past of now": line(P, b"past ", b"past 1\n"),
     "a past to come": line(P, b"past ", b"past 2\n"),
     "a past of nan": line(P, b"past ", b"past nan\n"),
@@ -283,7 +286,8 @@ def lie(world, tmp_path, change, signed=True):
 # What is found only after a checkpoint was chosen ends the run, because its
 # parameters, its inputs or its mesh are not those of the older one.
 ENDS = {"a table nobody writes", "a table cut to nothing",
-        "a table of 2^64 bytes", "a later time", "an input that is not there",
+        "a table of 2^64 bytes", "a later time",
+        "a global that is not the body's", "an input that is not there",
         "parameters that include", "parameters of zeros",
         "no text in the parameters", "a state of nan", "a state of inf",
         "a cell twice"}

@@ -43,7 +43,7 @@ namespace
     {
       auto histories = NodalHistory::names();
       histories.insert(NodalHistory::of_boundary("the skin"));
-      return {0.7, 0.6, past, histories};
+      return {0.7, 0.6, past, histories, {{"pressure", {0.1, 0.2}}}};
     }
 
     void

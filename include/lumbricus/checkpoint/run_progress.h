@@ -3,6 +3,7 @@
 #define lumbricus_checkpoint_run_progress_h
 
 #include <lumbricus/core/fingerprint.h>
+#include <lumbricus/core/state.h>
 
 #include <iosfwd>
 #include <map>
@@ -20,6 +21,8 @@ namespace lumbricus
     unsigned int step = 0;  ///< the load step it ended, from 1
     /** The names of State::histories. */
     std::set<std::string> histories;
+    /** State::globals. */
+    Globals globals;
     /** The times of State::past. */
     std::vector<double> past;
     /** The Continuation, as users name it. */

@@ -20,13 +20,20 @@ namespace lumbricus
    */
   using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-  /** What a state consists of, without the numbers on the mesh. */
+  /** Unknowns that are not those of any node, the same on all ranks: one or
+   * more of each name, which has no blanks. */
+  using Globals = std::map<std::string, std::vector<double>>;
+
+
+
+  /** All of a state but the numbers on the mesh. */
   struct StateOutline
   {
     double                time      = 0.; ///< State::time
     double                last_time = 0.; ///< State::last_time
     std::vector<double>   past;           ///< the times of State::past
     std::set<std::string> histories;      ///< the names of State::histories
+    Globals               globals;        ///< State::globals
   };
 
 
@@ -52,6 +59,8 @@ namespace lumbricus
     double last_time = 0.;
     /** Displacement u [mm] and pressure variable p [N/mm^2], owned entries. */
     Vector solution;
+    /** The global unknowns, of every Border there is. */
+    Globals globals;
     /** Vector fields that have a value at each node of each cell, by name: see
      * NodalHistory. */
     std::map<std::string, Vector> histories;
@@ -64,7 +73,7 @@ namespace lumbricus
     StateOutline
     outline() const
     {
-      StateOutline found{time, last_time, {}, {}};
+      StateOutline found{time, last_time, {}, {}, globals};
       for (const Past &earlier : past)
         found.past.push_back(earlier.time);
       for (const auto &history : histories)

@@ -3,9 +3,11 @@
 #define lumbricus_solvers_equilibrium_h
 
 #include <lumbricus/discretization/assembler.h>
+#include <lumbricus/discretization/border.h>
 #include <lumbricus/solvers/linear_solver.h>
 #include <lumbricus/solvers/newton.h>
 
+#include <deal.II/base/array_view.h>
 #include <deal.II/base/timer.h>
 
 #include <vector>
@@ -14,7 +16,8 @@ namespace lumbricus
 {
   /**
    * Equilibrium of the body at a time, with the reference map as it is: the
-   * assembler and the linear solver as Newton's method sees them.
+   * assembler, what borders it, and the linear solver as Newton's method sees
+   * them.
    */
   class Equilibrium : public NonlinearProblem
   {
@@ -29,6 +32,20 @@ namespace lumbricus
     /** After every change of the mesh. */
     void
     reinit();
+
+    /** From now on these border it, in this order; none at first. Kept by
+     * reference. One that does so for a single step, as a Continuation may,
+     * takes itself and its unknowns away again. */
+    void
+    set_borders(const std::vector<BorderSource *> &new_sources);
+
+    /** Those of set_borders(). */
+    const std::vector<BorderSource *> &
+    borders() const;
+
+    /** All global unknowns, with their values at rest. */
+    Globals
+    globals_at_rest() const;
 
     /** Set the time, and what @p solution lacks of the displacements prescribed
      * then. start_from() has to follow. */
@@ -53,13 +70,13 @@ namespace lumbricus
     leaps(const Vector &from, const Vector &to) const;
 
     Residual
-    residual(const Vector &x) override;
+    residual(const Unknowns &x) override;
 
     void
-    linearise(const Vector &x) override;
+    linearise(const Unknowns &x) override;
 
     void
-    solve(Vector &dx, const double tolerance) override;
+    solve(Unknowns &dx, const double tolerance) override;
 
     double
     increment_size(const Vector &dx) const override;
@@ -71,12 +88,19 @@ namespace lumbricus
     increments_taken() override;
 
     std::string
-    locate_trouble(const Vector &x) override;
+    locate_trouble(const Unknowns &x) override;
 
   private:
     /** After every change of the mesh or of what constrains which unknown. */
     void
     reinit_solvers();
+
+    /** The border that all sources make at @p x; what it adds to the residual
+     * of the owned unknowns is added to @p entries. */
+    Border
+    border_at(const Unknowns           &x,
+              const bool                with_derivatives,
+              dealii::ArrayView<double> entries) const;
 
     /** Let the constraints be those at @p x, where they follow it. */
     void
@@ -99,6 +123,11 @@ namespace lumbricus
     Vector                     r;
     /** Where slip is counted from. */
     Vector start;
+
+    std::vector<BorderSource *> sources;
+    /** That of linearise(), and the right-hand side with what it adds. */
+    Border border;
+    Vector rhs;
   };
 } // namespace lumbricus
 

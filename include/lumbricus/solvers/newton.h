@@ -3,7 +3,7 @@
 #define lumbricus_solvers_newton_h
 
 #include <lumbricus/core/parameter_owner.h>
-#include <lumbricus/core/state.h>
+#include <lumbricus/solvers/unknowns.h>
 
 #include <functional>
 #include <string>
@@ -25,11 +25,16 @@ namespace lumbricus
       /** What constraints that change with x are violated by, relative to the
        * size of the body. */
       double gap = 0.;
+      /** What the equations of global unknowns are violated by, relative to
+       * Border::scale: the sum over all of them. */
+      double border = 0.;
       /** The force that rounding makes of a solution, in the same measure:
        * nothing less can be asked for. */
       double force_rounding = 0.;
       /** The same of the volume. */
       double volume_rounding = 0.;
+      /** The same of the equations of global unknowns. */
+      double border_rounding = 0.;
       /** False where the residual does not exist (an inverted element). */
       bool valid = true;
 
@@ -37,7 +42,7 @@ namespace lumbricus
       double
       merit() const
       {
-        return force + volume + gap;
+        return force + volume + gap + border;
       }
     };
 
@@ -45,18 +50,18 @@ namespace lumbricus
 
     /** How far @p x is from a solution. Collective. */
     virtual Residual
-    residual(const Vector &x) = 0;
+    residual(const Unknowns &x) = 0;
 
     /** Compute the tangent and the right-hand side at x. */
     virtual void
-    linearise(const Vector &x) = 0;
+    linearise(const Unknowns &x) = 0;
 
     /** Compute the increment dx at which the linearised residual is
      * @p tolerance times what it is without one. */
     virtual void
-    solve(Vector &dx, const double tolerance) = 0;
+    solve(Unknowns &dx, const double tolerance) = 0;
 
-    /** The size of an increment relative to the size of the body. */
+    /** The size of an increment of u relative to the size of the body. */
     virtual double
     increment_size(const Vector &dx) const = 0;
 
@@ -71,7 +76,7 @@ namespace lumbricus
 
     /** Where the trouble is at x, in words: "segment 3, ...". */
     virtual std::string
-    locate_trouble(const Vector &x) = 0;
+    locate_trouble(const Unknowns &x) = 0;
   };
 
 
@@ -102,7 +107,7 @@ namespace lumbricus
      * Throws ExcNotConverged with where and how.
      */
     std::vector<NewtonIteration>
-    solve(NonlinearProblem &problem, Vector &x) const;
+    solve(NonlinearProblem &problem, Unknowns &x) const;
 
     /** Call @p new_listener with every iteration, as it ends. */
     void
@@ -117,6 +122,10 @@ namespace lumbricus
     /** The same of the volume. */
     double
     least_volume(const NonlinearProblem::Residual &residual) const;
+
+    /** The same of the equations of global unknowns. */
+    double
+    least_border(const NonlinearProblem::Residual &residual) const;
 
     /** How accurately to solve the linear system at a residual, when it was
      * @p last_merit one iteration earlier (0: there was none). */
