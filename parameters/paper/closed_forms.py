@@ -33,7 +33,7 @@ def uniaxial_mooney_rivlin(stretch, a, b):
 
 
 def uniaxial_neo_hooke(stretch, a):
-    """The same with b = 0: sigma = a (l^2 - 1/l), the line of Diagram 1."""
+    """Uniaxial tension with b = 0: a (l^2 - 1/l), the line of Diagram 1."""
     return uniaxial_mooney_rivlin(stretch, a, 0.0)
 
 

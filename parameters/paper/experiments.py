@@ -1,12 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The paper's experiments: run them, and set the numbers of the paper, the
-closed forms and the program side by side.
+closed forms and the program side by side, in rows.
 
-    LUMBRICUS=build-Release/lumbricus python3 parameters/paper/experiments.py
-
-prints a table and leaves it, the diagrams and the runs in results/paper.
-parameters/paper/run.sh installs and builds what is needed before. The tests
-run the same rows on coarse meshes.
+report.py prints the rows of all experiments. The tests run the same rows on
+coarse meshes.
 """
 import os
 import pathlib
@@ -243,27 +240,3 @@ def small_deformations(runs):
 
 EXPERIMENTS = (diagram1, figure2, figure3, diagrams2_and_3,
                slip_interface, small_deformations)
-
-
-def number(value):
-    return "" if value is None else f"{value:.4g}"
-
-
-def main(folder="results/paper"):
-    import diagrams  # needs matplotlib, which the rows do not
-
-    runs = Runs(folder, fine=True)
-    rows = [row for experiment in EXPERIMENTS for row in experiment(runs)]
-    lines = ["| | Paper | Closed form | Lumbricus | |", "|---|---|---|---|---|"]
-    lines += [f"| {row.what} | {number(row.paper)} | "
-              f"{number(row.closed_form)} | {number(row.ours)} | "
-              f"{'' if row.agrees() else 'DIFFERS'} |" for row in rows]
-    table = "\n".join(lines) + "\n"
-    print(table)
-    (runs.folder / "table.md").write_text(table)
-    diagrams.draw(runs)
-    return 0 if all(row.agrees() for row in rows) else 1
-
-
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))

@@ -8,5 +8,5 @@ install_missing "${build_packages[@]}" "${python_packages[@]}"
 set_up_python >&2
 build Release >&2
 export LUMBRICUS="$repository/build-Release/lumbricus"
-exec "$python" "$repository/parameters/paper/experiments.py" \
+exec "$python" "$repository/parameters/paper/report.py" \
   "$repository/results/paper"

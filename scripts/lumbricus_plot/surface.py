@@ -25,8 +25,8 @@ def on_edge(s):
 
 CURVE = on_edge(np.linspace(0, 1, ALONG_EDGE))
 HALVES = on_edge(np.array([0.25, 0.75]))
-# Those of the nine nodes of a face in the middles of its quarters; these nodes
-# lie in three rows of three.
+# The shape functions of a face's nine nodes in the middles of its quarters;
+# the nine nodes lie in three rows of three.
 ROWS = np.array([[0, 4, 1], [7, 8, 5], [3, 6, 2]])
 QUARTERS = np.zeros((4, 9))
 QUARTERS[:, ROWS.ravel()] = np.einsum(

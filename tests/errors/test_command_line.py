@@ -285,7 +285,7 @@ def test_progress_on_a_terminal(tmp_path):
 
 
 def test_parameters_in_json(tmp_path):
-    """The same run from .prm and from .json."""
+    """A .prm and its .json give the same run."""
     sections, nested = [{}], None
     for line in BLOCK.read_text().splitlines():
         line = line.split("#")[0].strip()

@@ -61,7 +61,7 @@ FAILURES = {
 ON_TWO_RANKS = list(FAILURES)
 
 FAILURES.update({
-    # It went on for ever.
+    # This linear solver went on for ever.
     "linear solver that is not allowed to iterate": (
         CHAIN, 0, ["Linear solver/Method=kept factor",
                    "Linear solver/kept factor/Most iterations=1",
@@ -91,7 +91,7 @@ FAILURES.update({
          "The stiffness of the body at time 0.5 cannot be computed: The tangent "
          "matrix is singular. Try",
          "smaller active stretch"]),
-    # It was '-nan %'.
+    # The message's number was '-nan %'.
     "muscle that shortens to nothing at once": (
         BLOCK, 0, [FORMULA + "=if(t > 0, 1e-200, 1)",
                    "Time/Smallest step=0.5"],

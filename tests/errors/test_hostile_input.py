@@ -40,7 +40,7 @@ def chain_of_files(folder, n):
 
 
 def files_that_double(folder, n):
-    """As above, but each includes the next twice: 2^n files."""
+    """Files of which each includes the next twice: 2^n files in all."""
     for i in range(n):
         (folder / f"{i}.prm").write_text(2 * f"include {i + 1}.prm\n")
     (folder / f"{n}.prm").write_text("set Title = x\n")

@@ -140,7 +140,7 @@ MISTAKES = [
      [], [FILE, "line 15, '6 1.0 one 0.0', has no number"]),
     ("node that is missing", Mesh().add(HEXAHEDRON, "wall", range(90, 98)), [],
      [FILE, "names a node the file does not have"]),
-    # It took the memory for what the file says, and ended with exit code 3.
+    # The reader took memory for as many nodes as the file says: exit code 3.
     ("more nodes than there is memory", MANY_NODES, [],
      [FILE, "line 8, '$EndNodes', has no number", "'Mesh.MshFileVersion"]),
     ("number below zero", str(Mesh()).replace("$Nodes\n12", "$Nodes\n-1"), [],

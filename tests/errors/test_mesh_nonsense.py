@@ -86,7 +86,7 @@ NUMBERS = [(word, f"number that is '{word}'") for word in
 
 # What is wrong; the mesh; settings; what the message has to say.
 MISTAKES = [
-    # This body was one cube long.
+    # The body with an unknown type was one cube long.
     ("type that Gmsh does not have", changed("\n2 5 2", "\n2 205 2"), [],
      [FILE, "line 26, has an element of type 205, which is none of Gmsh's"]),
     # As an unsigned number it was 4294967291.
@@ -94,7 +94,7 @@ MISTAKES = [
      [FILE, "line 26, has an element of type -5, which is none"]),
     ("polyhedron", changed("\n2 5 2", "\n2 35 2"), [],
      [FILE, "has 1 polyhedra beside 1 hexahedra of eight nodes"]),
-    # This body was one cube long, too.
+    # The body with elements beyond the number was one cube long.
     ("elements beyond the number", changed("$Elements\n2", "$Elements\n1"), [],
      [FILE, "line 26, '2 5 2 1 1 5 6 7 8 9 10 11 12', comes where the section "
       "'$Elements' should end with '$EndElements'", AGAIN]),

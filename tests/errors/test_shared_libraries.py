@@ -151,7 +151,7 @@ def test_a_library_is_loaded_once(listed, environment, tmp_path):
 
 @pytest.mark.parametrize("kind", ["prm", "json", "included"])
 def test_what_names_a_library(kind, tmp_path):
-    """It comes first, wherever it stands in the file."""
+    """The library comes first, wherever its name stands in the file."""
     shutil.copy(STILL, tmp_path / "mine.so")
     parts = re.match("(.*Active stretch = )expression.*?end(.*)",
                      BLOCK.read_text(), flags=re.S)

@@ -68,7 +68,7 @@ def kill_all(process):
 
 
 def checkpoints(folder):
-    """Those that are complete, by step."""
+    """The steps of the complete checkpoints, in order."""
     return sorted(int(path.parent.name) for path in
                   pathlib.Path(folder).glob("checkpoints/*/MANIFEST"))
 

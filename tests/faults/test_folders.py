@@ -306,7 +306,8 @@ def test_the_lock_goes_with_a_run_that_fails(settings, code, tmp_path):
 
 
 def test_a_record_that_was_made_up(tmp_path):
-    """It says what may be removed: no name of it may lead out of the folder."""
+    """The record says what may be removed: none of its names may lead out of
+    the folder."""
     folder = tmp_path / "run"
     assert block(folder).exit_code == 0
     (tmp_path / "thesis.txt").write_text("years of work")

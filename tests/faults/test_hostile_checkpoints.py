@@ -22,7 +22,7 @@ BLOCK = SOURCE / "tests" / "errors" / "block.prm"
 SETTINGS = ["Checkpoints/Steps=1", "Output/Points=2, 0, 0",
             "Geometry/block/Cells=2, 1, 1", "Mesh/Refine where=1 - x",
             "Mesh/Local refinements=1"]
-# Those of the two last steps, of four in all.
+# The checkpoints of the two last steps, of four in all.
 NEWEST, OLDER = "000002", "000001"
 
 many = ManyRuns()

@@ -44,7 +44,7 @@ def test_random_kills(tmp_path, reference):
             random.choice((kill_one, kill_all))(process)
             n_kills += 1
         elif process.wait() == 0:
-            # It went through before it could be killed: compare, and a new one.
+            # The run ended before it could be killed: compare, start another.
             assert differences(finish(process, folder), reference) < 1e-12
             n_runs += 1
             folder = tmp_path / str(n_runs)

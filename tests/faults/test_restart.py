@@ -155,7 +155,7 @@ def of_another_version(line):
 
 
 def test_a_checkpoint_of_another_version(tmp_path, three_steps):
-    """It is said, and the run goes on."""
+    """The log names the other version, and the run goes on."""
     folder = shutil.copytree(three_steps, tmp_path / "run")
     rewrite(folder, "MANIFEST", of_another_version)
     run = restart(folder, 2, ["Time/End=0.4"])
@@ -165,7 +165,7 @@ def test_a_checkpoint_of_another_version(tmp_path, three_steps):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_checkpoint_with_what_is_not_known_yet(ranks, tmp_path, three_steps):
-    """It ended with exit code 3 and a stack trace."""
+    """An unknown entry ended the run with exit code 3 and a stack trace."""
     folder = shutil.copytree(three_steps, tmp_path / "run")
     rewrite(folder, "MANIFEST", of_another_version)
     rewrite(folder, "progress", lambda text: text + b"temperature 300\n")

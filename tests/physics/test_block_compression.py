@@ -7,7 +7,7 @@ CASE = SOURCE / "parameters" / "block_compression" / "case.prm"
 # Compression of the middle of the top, read to 0.3 % of the height from the
 # diagram for four quadratic cells along an edge in deal.II's tutorial step-44.
 PUBLISHED = {0.2: 0.219, 0.4: 0.424, 0.6: 0.586, 0.8: 0.697, 1.0: 0.772}
-# The same, last load, computed with FEniCSx and NGSolve: benchmarks/reese.
+# The compression at the last load by FEniCSx and NGSolve: benchmarks/reese.
 OTHER_PROGRAMS = 0.771923416470
 
 

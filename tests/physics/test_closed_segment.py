@@ -30,7 +30,7 @@ def test_volumes_and_hydrostatic_state(tmp_path, ranks):
     assert result.last()["t"] == 1
     for row in result.segments():
         assert row["eta"] < 1e-3
-    # It has changed its shape: thinner in the middle and longer.
+    # The segment has changed its shape: thinner in the middle and longer.
     first, last = result.segments()[0], result.last()
     assert last["mid_radius"] < 0.8 * first["mid_radius"]
     assert last["length"] > 1.03 * first["length"]

@@ -108,7 +108,7 @@ def reference():
 
 
 def entry_in(known, path):
-    """That of a path; a name in angle brackets stands for any."""
+    """The entry of a path; a name in angle brackets stands for any."""
     found = [entry for names, entry in known.items()
              if len(names) == len(path) and all(
                  name == own or (name[0] + name[-1] == "<>")

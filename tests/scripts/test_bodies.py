@@ -127,8 +127,8 @@ def test_body_is_closed(runs, section):
 
 
 def test_planes_of_the_cut():
-    """Those that have the axis in them come first, and there is a part of the
-    body on both sides; a plane of symmetry need not go through the axis."""
+    """The planes through the axis come first, and there is a part of the body
+    on both sides; a plane of symmetry need not go through the axis."""
     def body(*planes, axis="x"):
         return Body({"axis": axis, "tissues": [], "symmetry_planes": [
             {"normal": normal, "position": position}

@@ -224,7 +224,7 @@ def test_what_was_drawn_goes_with_the_run(copy, tmp_path):
 
 @pytest.fixture
 def refused(capsys):
-    """It ends with exit code 1 and one sentence with these words."""
+    """lumbricus-plot ends with exit code 1 and one sentence with WORDS."""
     def check(folder, *words, options=()):
         assert main([str(folder), *options]) == 1
         message = capsys.readouterr().err
