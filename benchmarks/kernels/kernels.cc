@@ -5,10 +5,10 @@
 #include <lumbricus/core/mpi_session.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/tangent.h>
+#include <lumbricus/linear/mumps.h>
 #include <lumbricus/program/blas.h>
 #include <lumbricus/reference_map/active_stretch.h>
 #include <lumbricus/reference_map/fluid_reset.h>
-#include <lumbricus/solvers/mumps.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/core/patterns.h>
-#include <lumbricus/core/registry.h>
+#include <lumbricus/parameters/patterns.h>
+#include <lumbricus/parameters/registry.h>
 #include <lumbricus/terms/surface_term.h>
 
 #include <algorithm>

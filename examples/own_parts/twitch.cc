@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/activation/activation.h>
-#include <lumbricus/core/patterns.h>
-#include <lumbricus/core/registry.h>
+#include <lumbricus/parameters/patterns.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <cmath>
 

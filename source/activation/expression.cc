@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/activation/activation.h>
-#include <lumbricus/core/expression.h>
-#include <lumbricus/core/registry.h>
+#include <lumbricus/parameters/expression.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/patterns.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/activation/activation.h>
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/patterns.h>
-#include <lumbricus/core/registry.h>
+#include <lumbricus/parameters/patterns.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>

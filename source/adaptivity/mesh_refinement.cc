@@ -2,7 +2,7 @@
 #include <lumbricus/adaptivity/mesh_refinement.h>
 #include <lumbricus/core/available_memory.h>
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/patterns.h>
+#include <lumbricus/parameters/patterns.h>
 
 #include <cmath>
 #include <sstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/adaptivity/marking_rule.h>
-#include <lumbricus/core/registry.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/patterns.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/adaptivity/state_transfer.h>
+#include <lumbricus/constraints/local_constraints.h>
 #include <lumbricus/discretization/cell_state.h>
-#include <lumbricus/discretization/local_constraints.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/distributed/cell_data_transfer.templates.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/anatomy/muscle.h>
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/expression.h>
+#include <lumbricus/parameters/expression.h>
 
 #include <algorithm>
 #include <sstream>

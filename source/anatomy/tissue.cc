@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/anatomy/tissue.h>
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/patterns.h>
+#include <lumbricus/parameters/patterns.h>
 
 #include <cstddef>
 

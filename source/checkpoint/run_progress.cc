@@ -3,8 +3,8 @@
 #include <lumbricus/continuation/continuation.h>
 #include <lumbricus/core/item_lines.h>
 #include <lumbricus/core/nodal_history.h>
-#include <lumbricus/core/registry.h>
 #include <lumbricus/output/output_format.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <cstdint>
 #include <iomanip>

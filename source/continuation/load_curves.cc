@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/continuation/curve_samples.h>
 #include <lumbricus/continuation/load_curves.h>
-#include <lumbricus/core/curve_samples.h>
-#include <lumbricus/core/patterns.h>
+#include <lumbricus/parameters/patterns.h>
 
 #include <algorithm>
 #include <cmath>

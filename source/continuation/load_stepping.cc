@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/continuation/load_stepping.h>
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/patterns.h>
+#include <lumbricus/parameters/patterns.h>
 
 #include <deal.II/base/utilities.h>
 

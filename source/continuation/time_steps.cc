@@ -2,7 +2,7 @@
 #include <lumbricus/continuation/load_path.h>
 #include <lumbricus/continuation/time_steps.h>
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/registry.h>
+#include <lumbricus/parameters/registry.h>
 #include <lumbricus/program/diagnosis.h>
 #include <lumbricus/program/run_watch.h>
 

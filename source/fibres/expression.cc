@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/expression.h>
-#include <lumbricus/core/registry.h>
-#include <lumbricus/core/vector_expression.h>
 #include <lumbricus/fibres/cylindrical_frame.h>
 #include <lumbricus/fibres/fibre_field.h>
+#include <lumbricus/parameters/expression.h>
+#include <lumbricus/parameters/registry.h>
+#include <lumbricus/parameters/vector_expression.h>
 
 #include <cmath>
 #include <vector>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/expression.h>
 #include <lumbricus/core/number_in_text.h>
 #include <lumbricus/core/readable_file.h>
-#include <lumbricus/core/registry.h>
 #include <lumbricus/core/text_lines.h>
 #include <lumbricus/core/user_text.h>
 #include <lumbricus/fibres/fibre_field.h>
+#include <lumbricus/parameters/expression.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>

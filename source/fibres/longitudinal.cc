@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/core/registry.h>
 #include <lumbricus/fibres/cylindrical_frame.h>
 #include <lumbricus/fibres/fibre_field.h>
+#include <lumbricus/parameters/registry.h>
 
 namespace lumbricus
 {

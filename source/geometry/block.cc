@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/named_sections.h>
-#include <lumbricus/core/patterns.h>
-#include <lumbricus/core/registry.h>
 #include <lumbricus/geometry/block_patch.h>
 #include <lumbricus/geometry/coarse_cells.h>
 #include <lumbricus/geometry/geometry.h>
+#include <lumbricus/parameters/named_sections.h>
+#include <lumbricus/parameters/patterns.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/utilities.h>
 #include <deal.II/grid/grid_generator.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/expression.h>
-#include <lumbricus/core/patterns.h>
-#include <lumbricus/core/registry.h>
 #include <lumbricus/geometry/named_mesh.h>
 #include <lumbricus/geometry/round_axis.h>
+#include <lumbricus/parameters/expression.h>
+#include <lumbricus/parameters/patterns.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/core/expression.h>
 #include <lumbricus/geometry/named_boundaries.h>
 #include <lumbricus/geometry/round_axis.h>
+#include <lumbricus/parameters/expression.h>
 
 #include <deal.II/base/bounding_box.h>
 

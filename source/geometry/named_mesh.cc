@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/expression.h>
 #include <lumbricus/core/names.h>
 #include <lumbricus/core/user_text.h>
 #include <lumbricus/geometry/mesh_checks.h>
@@ -8,6 +7,7 @@
 #include <lumbricus/geometry/msh_file.h>
 #include <lumbricus/geometry/named_boundaries.h>
 #include <lumbricus/geometry/named_mesh.h>
+#include <lumbricus/parameters/expression.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/utilities.h>

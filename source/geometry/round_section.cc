@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/patterns.h>
 #include <lumbricus/geometry/round_section.h>
+#include <lumbricus/parameters/patterns.h>
 
 #include <deal.II/base/patterns.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/patterns.h>
-#include <lumbricus/core/registry.h>
 #include <lumbricus/geometry/coarse_cells.h>
 #include <lumbricus/geometry/extrusion.h>
 #include <lumbricus/geometry/round_section.h>
 #include <lumbricus/geometry/segment_measures.h>
 #include <lumbricus/geometry/segment_ranges.h>
+#include <lumbricus/parameters/patterns.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <algorithm>
 #include <map>

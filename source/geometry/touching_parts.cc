@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/core/expression.h>
 #include <lumbricus/geometry/mesh_faces.h>
 #include <lumbricus/geometry/nearness.h>
 #include <lumbricus/geometry/touching_parts.h>
+#include <lumbricus/parameters/expression.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/tensor.h>

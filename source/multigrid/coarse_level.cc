@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/constraints/local_constraints.h>
 #include <lumbricus/discretization/cell_sizes.h>
-#include <lumbricus/discretization/local_constraints.h>
 #include <lumbricus/multigrid/coarse_level.h>
 
 #include <deal.II/base/config.h>

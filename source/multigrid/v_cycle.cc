@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/core/patterns.h>
 #include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/multigrid/v_cycle.h>
+#include <lumbricus/parameters/patterns.h>
 
 #include <algorithm>
 #include <map>

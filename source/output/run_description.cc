@@ -2,8 +2,8 @@
 #include <lumbricus/core/build_version.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/number_in_text.h>
-#include <lumbricus/core/patterns.h>
 #include <lumbricus/output/run_description.h>
+#include <lumbricus/parameters/patterns.h>
 
 #include <deal.II/base/patterns.h>
 

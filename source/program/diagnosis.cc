@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/equilibrium/stability.h>
 #include <lumbricus/program/diagnosis.h>
-#include <lumbricus/solvers/stability.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/core/out_of_memory.h>
-#include <lumbricus/discretization/rest_volume.h>
 #include <lumbricus/discretization/state_record.h>
+#include <lumbricus/measures/rest_volume.h>
 #include <lumbricus/program/mesh_adaptation.h>
 
 #include <algorithm>

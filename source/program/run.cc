@@ -3,10 +3,10 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/core/out_of_memory.h>
-#include <lumbricus/core/parameter_file.h>
-#include <lumbricus/core/prm_scanner.h>
 #include <lumbricus/core/user_text.h>
 #include <lumbricus/output/run_description.h>
+#include <lumbricus/parameters/parameter_file.h>
+#include <lumbricus/parameters/prm_scanner.h>
 #include <lumbricus/program/blas.h>
 #include <lumbricus/program/chain_problem.h>
 #include <lumbricus/program/memory_end.h>

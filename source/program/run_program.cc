@@ -4,8 +4,8 @@
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/core/log.h>
 #include <lumbricus/core/mpi_session.h>
-#include <lumbricus/core/parameter_file.h>
 #include <lumbricus/core/user_text.h>
+#include <lumbricus/parameters/parameter_file.h>
 #include <lumbricus/program/blas.h>
 #include <lumbricus/program/run.h>
 #include <lumbricus/program/run_parameters.h>

@@ -2,7 +2,7 @@
 #include <lumbricus/core/build_version.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/readable_file.h>
-#include <lumbricus/core/registration.h>
+#include <lumbricus/parameters/registration.h>
 #include <lumbricus/program/shared_libraries.h>
 
 #include <deal.II/base/patterns.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/expression.h>
 #include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/parameters/expression.h>
 #include <lumbricus/program/symmetry_check.h>
 
 #include <deal.II/base/numbers.h>

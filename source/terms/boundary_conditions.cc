@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/patterns.h>
+#include <lumbricus/parameters/patterns.h>
 #include <lumbricus/terms/boundary_conditions.h>
 #include <lumbricus/terms/tried_expressions.h>
 

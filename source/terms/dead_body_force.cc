@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/core/registry.h>
-#include <lumbricus/core/vector_expression.h>
+#include <lumbricus/parameters/registry.h>
+#include <lumbricus/parameters/vector_expression.h>
 #include <lumbricus/terms/volume_term.h>
 
 namespace lumbricus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/core/registry.h>
+#include <lumbricus/parameters/registry.h>
 #include <lumbricus/terms/surface_term.h>
 
 #include <memory>

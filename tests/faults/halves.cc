@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A continuation: each step in two halves, and each longer than the last.
 #include <lumbricus/continuation/continuation.h>
-#include <lumbricus/core/registry.h>
+#include <lumbricus/parameters/registry.h>
 #include <lumbricus/program/chain_model.h>
 #include <lumbricus/program/run_watch.h>
 

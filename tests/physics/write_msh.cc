@@ -4,7 +4,7 @@
 #include "../write_msh.h"
 
 #include <lumbricus/core/mpi_session.h>
-#include <lumbricus/core/parameter_file.h>
+#include <lumbricus/parameters/parameter_file.h>
 #include <lumbricus/program/run_parameters.h>
 
 int

@@ -9,7 +9,7 @@
 #include <lumbricus/core/item_lines.h>
 #include <lumbricus/core/nodal_history.h>
 #include <lumbricus/discretization/border.h>
-#include <lumbricus/solvers/bordered_solver.h>
+#include <lumbricus/linear/bordered_solver.h>
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>

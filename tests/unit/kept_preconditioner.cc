@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/solvers/full_factor.h>
-#include <lumbricus/solvers/kept_preconditioner.h>
+#include <lumbricus/linear/full_factor.h>
+#include <lumbricus/linear/kept_preconditioner.h>
 
 #include <new>
 #include <string>

@@ -2,8 +2,8 @@
 // The quality of cells against closed forms, and what relaxing the mesh inside
 // the liquid must keep.
 #include <lumbricus/discretization/cell_state.h>
-#include <lumbricus/discretization/rest_volume.h>
-#include <lumbricus/solvers/harmonic_extension.h>
+#include <lumbricus/equilibrium/harmonic_extension.h>
+#include <lumbricus/measures/rest_volume.h>
 
 #include <deal.II/fe/fe_q.h>
 

@@ -3,8 +3,8 @@
 // solutions against those of a direct solver.
 #include <lumbricus/adaptivity/mark_where.h>
 #include <lumbricus/geometry/geometry.h>
+#include <lumbricus/linear/linear_solver.h>
 #include <lumbricus/multigrid/v_cycle.h>
-#include <lumbricus/solvers/linear_solver.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/grid/grid_generator.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Plug-ins of the output: rows of tables, and what names they may have.
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/registry.h>
 #include <lumbricus/output/output_parts.h>
 #include <lumbricus/output/table_rows.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/parameter_handler.h>

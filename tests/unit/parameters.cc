@@ -2,19 +2,19 @@
 // Parameter files: what they name, what is meant by a name that is not known,
 // and how settings reach nested sections.
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/expression.h>
-#include <lumbricus/core/json_parameters.h>
 #include <lumbricus/core/json_value.h>
 #include <lumbricus/core/number_in_text.h>
-#include <lumbricus/core/parameter_entry.h>
-#include <lumbricus/core/parameter_file.h>
-#include <lumbricus/core/pattern_words.h>
-#include <lumbricus/core/patterns.h>
-#include <lumbricus/core/prm_scanner.h>
-#include <lumbricus/core/registration.h>
-#include <lumbricus/core/registry.h>
 #include <lumbricus/core/text_lines.h>
 #include <lumbricus/materials/material_law.h>
+#include <lumbricus/parameters/expression.h>
+#include <lumbricus/parameters/json_parameters.h>
+#include <lumbricus/parameters/parameter_entry.h>
+#include <lumbricus/parameters/parameter_file.h>
+#include <lumbricus/parameters/pattern_words.h>
+#include <lumbricus/parameters/patterns.h>
+#include <lumbricus/parameters/prm_scanner.h>
+#include <lumbricus/parameters/registration.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <gtest/gtest.h>
 

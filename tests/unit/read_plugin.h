@@ -2,7 +2,7 @@
 #ifndef lumbricus_tests_unit_read_plugin_h
 #define lumbricus_tests_unit_read_plugin_h
 
-#include <lumbricus/core/registry.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -2,7 +2,7 @@
 #ifndef lumbricus_tests_unit_specimen_h
 #define lumbricus_tests_unit_specimen_h
 
-#include <lumbricus/core/parameter_file.h>
+#include <lumbricus/parameters/parameter_file.h>
 #include <lumbricus/program/chain_model.h>
 
 #include <unistd.h>

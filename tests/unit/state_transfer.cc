@@ -2,9 +2,9 @@
 // What a change of the mesh does to a state.
 #include <lumbricus/adaptivity/mesh_record.h>
 #include <lumbricus/adaptivity/state_transfer.h>
+#include <lumbricus/constraints/local_constraints.h>
 #include <lumbricus/core/nodal_history.h>
 #include <lumbricus/discretization/cell_state.h>
-#include <lumbricus/discretization/local_constraints.h>
 #include <lumbricus/geometry/geometry.h>
 
 #include <deal.II/dofs/dof_tools.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The linearisation of equilibrium as an operator, as matrices of cells, and
 // as what the linear solvers solve: against finite differences and each other.
-#include <lumbricus/core/registry.h>
+#include <lumbricus/parameters/registry.h>
 #include <lumbricus/terms/volume_term.h>
 
 #include <deal.II/base/utilities.h>

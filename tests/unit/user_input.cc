@@ -4,15 +4,15 @@
 // silence.
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/input_limits.h>
-#include <lumbricus/core/json_parameters.h>
-#include <lumbricus/core/named_sections.h>
 #include <lumbricus/core/names.h>
 #include <lumbricus/core/number_in_text.h>
-#include <lumbricus/core/parameter_file.h>
-#include <lumbricus/core/patterns.h>
-#include <lumbricus/core/prm_scanner.h>
 #include <lumbricus/core/user_text.h>
 #include <lumbricus/materials/material_law.h>
+#include <lumbricus/parameters/json_parameters.h>
+#include <lumbricus/parameters/named_sections.h>
+#include <lumbricus/parameters/parameter_file.h>
+#include <lumbricus/parameters/patterns.h>
+#include <lumbricus/parameters/prm_scanner.h>
 
 #include <gtest/gtest.h>
 

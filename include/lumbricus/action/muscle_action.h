@@ -3,8 +3,8 @@
 #define lumbricus_action_muscle_action_h
 
 #include <lumbricus/activation/activation.h>
-#include <lumbricus/core/registry.h>
 #include <lumbricus/materials/material_law.h>
+#include <lumbricus/parameters/registry.h>
 #include <lumbricus/reference_map/active_stretch.h>
 
 #include <string>

@@ -6,7 +6,7 @@
 #include <lumbricus/adaptivity/marking_rule.h>
 #include <lumbricus/adaptivity/mesh_refinement.h>
 #include <lumbricus/adaptivity/refinement_levels.h>
-#include <lumbricus/core/registry.h>
+#include <lumbricus/parameters/registry.h>
 
 namespace lumbricus
 {

@@ -2,7 +2,7 @@
 #ifndef lumbricus_adaptivity_marking_rule_h
 #define lumbricus_adaptivity_marking_rule_h
 
-#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <cstddef>
 #include <vector>

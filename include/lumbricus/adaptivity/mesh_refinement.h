@@ -3,8 +3,8 @@
 #define lumbricus_adaptivity_mesh_refinement_h
 
 #include <lumbricus/adaptivity/slip_faces.h>
-#include <lumbricus/core/expression.h>
-#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/parameters/expression.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <memory>
 #include <string>

@@ -3,7 +3,7 @@
 #define lumbricus_adaptivity_refinement_levels_h
 
 #include <lumbricus/anatomy/anatomy.h>
-#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <map>
 #include <string>

@@ -4,9 +4,9 @@
 
 #include <lumbricus/anatomy/muscle.h>
 #include <lumbricus/anatomy/tissue.h>
-#include <lumbricus/core/named_sections.h>
-#include <lumbricus/core/registry.h>
 #include <lumbricus/geometry/geometry.h>
+#include <lumbricus/parameters/named_sections.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <deal.II/distributed/tria_base.h>
 

@@ -5,8 +5,8 @@
 #include <lumbricus/action/muscle_action.h>
 #include <lumbricus/core/load_curve.h>
 #include <lumbricus/core/load_time.h>
-#include <lumbricus/core/registry.h>
 #include <lumbricus/fibres/fibre_field.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <string>
 #include <vector>

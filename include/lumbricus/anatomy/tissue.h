@@ -4,8 +4,8 @@
 
 #include <lumbricus/anatomy/material_point.h>
 #include <lumbricus/anatomy/muscle.h>
-#include <lumbricus/core/registry.h>
 #include <lumbricus/materials/material_law.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <string>
 #include <vector>

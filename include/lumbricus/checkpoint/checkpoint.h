@@ -5,9 +5,9 @@
 #include <lumbricus/adaptivity/mesh_record.h>
 #include <lumbricus/checkpoint/manifest.h>
 #include <lumbricus/checkpoint/run_progress.h>
-#include <lumbricus/core/input_file.h>
 #include <lumbricus/discretization/state_record.h>
 #include <lumbricus/output/run_folder.h>
+#include <lumbricus/parameters/input_file.h>
 
 #include <set>
 #include <string>

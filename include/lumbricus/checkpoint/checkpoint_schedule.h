@@ -2,7 +2,7 @@
 #ifndef lumbricus_checkpoint_checkpoint_schedule_h
 #define lumbricus_checkpoint_checkpoint_schedule_h
 
-#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>

@@ -3,9 +3,9 @@
 #define lumbricus_continuation_continuation_h
 
 #include <lumbricus/core/log.h>
-#include <lumbricus/core/parameter_owner.h>
 #include <lumbricus/core/state.h>
 #include <lumbricus/output/step_record.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <map>
 #include <string>

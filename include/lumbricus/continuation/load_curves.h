@@ -3,7 +3,7 @@
 #define lumbricus_continuation_load_curves_h
 
 #include <lumbricus/core/load_curve.h>
-#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <optional>
 #include <string>

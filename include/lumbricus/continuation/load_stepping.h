@@ -2,7 +2,7 @@
 #ifndef lumbricus_continuation_load_stepping_h
 #define lumbricus_continuation_load_stepping_h
 
-#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 namespace lumbricus
 {

@@ -2,8 +2,8 @@
 #ifndef lumbricus_continuation_predictor_h
 #define lumbricus_continuation_predictor_h
 
-#include <lumbricus/core/parameter_owner.h>
 #include <lumbricus/core/state.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 namespace lumbricus
 {

@@ -2,13 +2,13 @@
 #ifndef lumbricus_discretization_assembler_h
 #define lumbricus_discretization_assembler_h
 
+#include <lumbricus/constraints/supports.h>
 #include <lumbricus/discretization/body.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/reference_field.h>
 #include <lumbricus/discretization/rounding_level.h>
-#include <lumbricus/discretization/supports.h>
-#include <lumbricus/discretization/surface_terms.h>
 #include <lumbricus/discretization/surface_kernel.h>
+#include <lumbricus/discretization/surface_terms.h>
 #include <lumbricus/discretization/tangent.h>
 #include <lumbricus/discretization/volume_terms.h>
 

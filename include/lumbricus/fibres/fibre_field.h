@@ -3,7 +3,7 @@
 #define lumbricus_fibres_fibre_field_h
 
 #include <lumbricus/core/dimension.h>
-#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>

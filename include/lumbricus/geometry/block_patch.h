@@ -3,7 +3,7 @@
 #define lumbricus_geometry_block_patch_h
 
 #include <lumbricus/core/dimension.h>
-#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <deal.II/base/point.h>
 

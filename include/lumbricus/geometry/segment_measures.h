@@ -2,7 +2,7 @@
 #ifndef lumbricus_geometry_segment_measures_h
 #define lumbricus_geometry_segment_measures_h
 
-#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <vector>
 

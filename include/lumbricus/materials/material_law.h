@@ -3,7 +3,7 @@
 #define lumbricus_materials_material_law_h
 
 #include <lumbricus/core/dimension.h>
-#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/parameters/parameter_owner.h>
 #include <lumbricus/reference_map/reference_point.h>
 
 #include <deal.II/base/tensor.h>

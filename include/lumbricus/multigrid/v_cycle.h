@@ -2,13 +2,13 @@
 #ifndef lumbricus_multigrid_v_cycle_h
 #define lumbricus_multigrid_v_cycle_h
 
-#include <lumbricus/core/parameter_owner.h>
 #include <lumbricus/discretization/tangent.h>
+#include <lumbricus/linear/approximate_inverse.h>
+#include <lumbricus/linear/mumps.h>
 #include <lumbricus/multigrid/embedding.h>
 #include <lumbricus/multigrid/hierarchy.h>
 #include <lumbricus/multigrid/vanka.h>
-#include <lumbricus/solvers/approximate_inverse.h>
-#include <lumbricus/solvers/mumps.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <memory>
 #include <string>

@@ -2,9 +2,9 @@
 #ifndef lumbricus_output_output_format_h
 #define lumbricus_output_output_format_h
 
-#include <lumbricus/core/parameter_owner.h>
 #include <lumbricus/output/cell_fields.h>
 #include <lumbricus/output/run_folder.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <string>
 #include <utility>

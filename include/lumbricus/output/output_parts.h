@@ -2,10 +2,10 @@
 #ifndef lumbricus_output_output_parts_h
 #define lumbricus_output_output_parts_h
 
-#include <lumbricus/core/registry.h>
 #include <lumbricus/output/cell_fields.h>
 #include <lumbricus/output/output_format.h>
 #include <lumbricus/output/table.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <map>
 #include <memory>

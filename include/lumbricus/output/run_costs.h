@@ -2,7 +2,7 @@
 #ifndef lumbricus_output_run_costs_h
 #define lumbricus_output_run_costs_h
 
-#include <lumbricus/solvers/linear_solver.h>
+#include <lumbricus/linear/linear_solver.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>

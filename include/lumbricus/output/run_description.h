@@ -4,11 +4,11 @@
 
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/core/json_value.h>
-#include <lumbricus/core/parameter_entry.h>
-#include <lumbricus/terms/body_forces.h>
-#include <lumbricus/terms/boundary_conditions.h>
 #include <lumbricus/output/run_costs.h>
 #include <lumbricus/output/run_folder.h>
+#include <lumbricus/parameters/parameter_entry.h>
+#include <lumbricus/terms/body_forces.h>
+#include <lumbricus/terms/boundary_conditions.h>
 
 #include <deal.II/grid/tria.h>
 

@@ -2,8 +2,8 @@
 #ifndef lumbricus_output_step_record_h
 #define lumbricus_output_step_record_h
 
-#include <lumbricus/discretization/external_forces.h>
-#include <lumbricus/solvers/reset_iteration.h>
+#include <lumbricus/equilibrium/reset_iteration.h>
+#include <lumbricus/measures/external_forces.h>
 
 #include <cstddef>
 #include <limits>

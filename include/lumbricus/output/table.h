@@ -2,9 +2,9 @@
 #ifndef lumbricus_output_table_h
 #define lumbricus_output_table_h
 
-#include <lumbricus/core/parameter_owner.h>
 #include <lumbricus/output/output_context.h>
 #include <lumbricus/output/table_rows.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <string>
 #include <vector>

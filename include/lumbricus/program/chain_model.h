@@ -4,9 +4,9 @@
 
 #include <lumbricus/checkpoint/checkpoint.h>
 #include <lumbricus/discretization/assembler.h>
-#include <lumbricus/discretization/external_forces.h>
+#include <lumbricus/equilibrium/equilibrium.h>
+#include <lumbricus/measures/external_forces.h>
 #include <lumbricus/program/run_parameters.h>
-#include <lumbricus/solvers/equilibrium.h>
 
 #include <deal.II/base/timer.h>
 #include <deal.II/distributed/tria.h>

@@ -2,7 +2,7 @@
 #ifndef lumbricus_program_load_balance_h
 #define lumbricus_program_load_balance_h
 
-#include <lumbricus/discretization/external_forces.h>
+#include <lumbricus/measures/external_forces.h>
 
 #include <string>
 #include <vector>

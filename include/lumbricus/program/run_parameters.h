@@ -6,21 +6,21 @@
 #include <lumbricus/adaptivity/mesh_refinement.h>
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/checkpoint/checkpoint_schedule.h>
+#include <lumbricus/constraints/interface_coupling.h>
 #include <lumbricus/continuation/continuation.h>
 #include <lumbricus/continuation/load_curves.h>
 #include <lumbricus/continuation/load_stepping.h>
 #include <lumbricus/continuation/predictor.h>
-#include <lumbricus/core/registry.h>
-#include <lumbricus/discretization/interface_coupling.h>
-#include <lumbricus/terms/body_forces.h>
-#include <lumbricus/terms/boundary_conditions.h>
+#include <lumbricus/equilibrium/reset_iteration.h>
+#include <lumbricus/linear/linear_solver.h>
 #include <lumbricus/output/output_parts.h>
+#include <lumbricus/parameters/registry.h>
 #include <lumbricus/program/shared_libraries.h>
 #include <lumbricus/program/stability_watch.h>
 #include <lumbricus/program/symmetry_check.h>
 #include <lumbricus/program/unit_check.h>
-#include <lumbricus/solvers/linear_solver.h>
-#include <lumbricus/solvers/reset_iteration.h>
+#include <lumbricus/terms/body_forces.h>
+#include <lumbricus/terms/boundary_conditions.h>
 
 #include <string>
 #include <vector>

@@ -2,8 +2,8 @@
 #ifndef lumbricus_program_shared_libraries_h
 #define lumbricus_program_shared_libraries_h
 
-#include <lumbricus/core/parameter_file.h>
-#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/parameters/parameter_file.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <deal.II/base/mpi.h>
 

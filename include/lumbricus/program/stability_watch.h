@@ -3,8 +3,8 @@
 #define lumbricus_program_stability_watch_h
 
 #include <lumbricus/core/log.h>
-#include <lumbricus/core/parameter_owner.h>
-#include <lumbricus/solvers/stability.h>
+#include <lumbricus/equilibrium/stability.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 namespace lumbricus
 {

@@ -2,8 +2,8 @@
 #ifndef lumbricus_terms_boundary_condition_h
 #define lumbricus_terms_boundary_condition_h
 
-#include <lumbricus/core/expression.h>
-#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/parameters/expression.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <string>
 #include <vector>

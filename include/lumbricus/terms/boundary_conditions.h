@@ -3,9 +3,9 @@
 #define lumbricus_terms_boundary_conditions_h
 
 #include <lumbricus/core/load_curve.h>
-#include <lumbricus/core/named_sections.h>
-#include <lumbricus/core/registry.h>
 #include <lumbricus/geometry/geometry.h>
+#include <lumbricus/parameters/named_sections.h>
+#include <lumbricus/parameters/registry.h>
 #include <lumbricus/terms/prescribed_displacement.h>
 #include <lumbricus/terms/surface_term.h>
 

@@ -3,8 +3,8 @@
 #define lumbricus_terms_tried_expressions_h
 
 #include <lumbricus/core/dimension.h>
-#include <lumbricus/core/expression.h>
 #include <lumbricus/core/load_curve.h>
+#include <lumbricus/parameters/expression.h>
 
 #include <deal.II/base/point.h>
 

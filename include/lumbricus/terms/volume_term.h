@@ -3,9 +3,9 @@
 #define lumbricus_terms_volume_term_h
 
 #include <lumbricus/core/dimension.h>
-#include <lumbricus/core/expression.h>
 #include <lumbricus/core/load_time.h>
-#include <lumbricus/core/parameter_owner.h>
+#include <lumbricus/parameters/expression.h>
+#include <lumbricus/parameters/parameter_owner.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>

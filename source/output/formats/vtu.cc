@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/core/registry.h>
 #include <lumbricus/output/output_format.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/utilities.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/expression.h>
 #include <lumbricus/core/number_in_text.h>
-#include <lumbricus/core/registry.h>
 #include <lumbricus/core/user_text.h>
 #include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/output/nearest_point.h>
 #include <lumbricus/output/table.h>
+#include <lumbricus/parameters/expression.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/point.h>

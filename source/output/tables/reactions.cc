@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/core/registry.h>
-#include <lumbricus/discretization/external_forces.h>
+#include <lumbricus/measures/external_forces.h>
 #include <lumbricus/output/table.h>
+#include <lumbricus/parameters/registry.h>
 
 namespace lumbricus
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "segment_columns.h"
 
-#include <lumbricus/core/registry.h>
 #include <lumbricus/output/table.h>
+#include <lumbricus/parameters/registry.h>
 
 namespace lumbricus
 {

@@ -2,8 +2,8 @@
 #ifndef lumbricus_output_tables_segment_columns_h
 #define lumbricus_output_tables_segment_columns_h
 
+#include <lumbricus/equilibrium/reset_iteration.h>
 #include <lumbricus/output/table_rows.h>
-#include <lumbricus/solvers/reset_iteration.h>
 
 #include <string>
 #include <vector>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "segment_columns.h"
 
-#include <lumbricus/core/registry.h>
-#include <lumbricus/discretization/mesh_quality.h>
-#include <lumbricus/discretization/section_measures.h>
+#include <lumbricus/measures/mesh_quality.h>
+#include <lumbricus/measures/section_measures.h>
 #include <lumbricus/output/table.h>
+#include <lumbricus/parameters/registry.h>
 
 namespace lumbricus
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // An activation, which is called as the build says.
 #include <lumbricus/activation/activation.h>
-#include <lumbricus/core/registry.h>
+#include <lumbricus/parameters/registry.h>
 
 namespace
 {

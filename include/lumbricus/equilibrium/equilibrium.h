@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_equilibrium_equilibrium_h
+#define lumbricus_equilibrium_equilibrium_h
+
+#include <lumbricus/discretization/assembler.h>
+#include <lumbricus/discretization/border.h>
+#include <lumbricus/equilibrium/newton.h>
+#include <lumbricus/linear/linear_solver.h>
+
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/timer.h>
+
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * Equilibrium of the body at a time, with the reference map as it is: the
+   * assembler, what borders it, and the linear solver as Newton's method sees
+   * them.
+   */
+  class Equilibrium : public NonlinearProblem
+  {
+  public:
+    /** All of these are kept by reference; call reinit() first. */
+    Equilibrium(const Body          &body,
+                Assembler           &assembler,
+                Supports            &supports,
+                LinearSolver        &linear_solver,
+                dealii::TimerOutput &timer);
+
+    /** After every change of the mesh. */
+    void
+    reinit();
+
+    /** From now on these border it, in this order; none at first. Kept by
+     * reference. One that does so for a single step, as a Continuation may,
+     * takes itself and its unknowns away again. */
+    void
+    set_borders(const std::vector<BorderSource *> &new_sources);
+
+    /** Those of set_borders(). */
+    const std::vector<BorderSource *> &
+    borders() const;
+
+    /** All global unknowns, with their values at rest. */
+    Globals
+    globals_at_rest() const;
+
+    /** Set the time, and what @p solution lacks of the displacements prescribed
+     * then. start_from() has to follow. */
+    void
+    set_time(const LoadTime &t, const Vector &solution);
+
+    /** Let the linear solver start anew, as it does after a restart. */
+    void
+    forget_factors();
+
+    /** Where liquid slips along the wall, count the slip from @p solution:
+     * before each solve, and before linearise() without one. */
+    void
+    start_from(const Vector &solution);
+
+    /**
+     * Whether a node is farther from where it was than the body at rest is
+     * long, apart from what all nodes move on the average. A load step that
+     * does this has found another equilibrium, to which nothing leads.
+     */
+    bool
+    leaps(const Vector &from, const Vector &to) const;
+
+    Residual
+    residual(const Unknowns &x) override;
+
+    void
+    linearise(const Unknowns &x) override;
+
+    void
+    solve(Unknowns &dx, const double tolerance) override;
+
+    double
+    increment_size(const Vector &dx) const override;
+
+    bool
+    increments_prescribed() const override;
+
+    void
+    increments_taken() override;
+
+    std::string
+    locate_trouble(const Unknowns &x) override;
+
+  private:
+    /** After every change of the mesh or of what constrains which unknown. */
+    void
+    reinit_solvers();
+
+    /** The border that all sources make at @p x; what it adds to the residual
+     * of the owned unknowns is added to @p entries. */
+    Border
+    border_at(const Unknowns           &x,
+              const bool                with_derivatives,
+              dealii::ArrayView<double> entries) const;
+
+    /** Let the constraints be those at @p x, where they follow it. */
+    void
+    follow(const Vector &x);
+
+    const Body           body;
+    Assembler           &assembler;
+    Supports            &supports;
+    LinearSolver        &linear_solver;
+    dealii::TimerOutput &timer;
+
+    LoadTime          time;
+    bool              prescribed_is_due = false;
+    double            body_volume       = 0.;
+    double            length            = 1.;
+    double            least_force       = 0.;
+    double            extent            = 1.; // in lengths
+    /** Of the owned unknowns: a component of u, or dim for p. */
+    std::vector<unsigned char> component;
+    Vector                     r;
+    /** Where slip is counted from. */
+    Vector start;
+
+    std::vector<BorderSource *> sources;
+    /** That of linearise(), and the right-hand side with what it adds. */
+    Border border;
+    Vector rhs;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_equilibrium_liquid_mesh_h
+#define lumbricus_equilibrium_liquid_mesh_h
+
+#include <lumbricus/discretization/body.h>
+#include <lumbricus/discretization/cell_unknowns.h>
+#include <lumbricus/measures/mesh_quality.h>
+#include <lumbricus/parameters/parameter_owner.h>
+
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * Relaxes the mesh inside the liquid. A liquid has no memory and flows, so
+   * that cells which go with it lose their shape; but a hydrostatic liquid is
+   * in equilibrium wherever the nodes inside it are: int p cof(F) Grad N dV is
+   * zero for every N that vanishes on its surface. So where the cells of a
+   * segment are badly shaped, a reset puts the nodes inside the liquid to the
+   * harmonic extension of its surface, makes that its stress-free shape, and
+   * keeps its surface, its stress-free volume as a whole, and its mean
+   * pressure.
+   *
+   * A node inside the liquid is no particle of it.
+   */
+  class LiquidMesh : public ParameterOwner
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    /** What relaxing did. */
+    struct Relaxation
+    {
+      /** Which segments; empty for none. */
+      std::vector<bool> in_segment;
+    };
+
+    /** Relax the mesh of those segments whose quality asks for it, and is
+     * better then. Collective. */
+    Relaxation
+    relax(const Body &body, const CellUnknowns &unknowns, State &state) const;
+
+  private:
+    double relax_below = 1.;
+  };
+} // namespace lumbricus
+
+#endif

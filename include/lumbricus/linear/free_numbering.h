@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_linear_free_numbering_h
+#define lumbricus_linear_free_numbering_h
+
+#include <lumbricus/discretization/cell_unknowns.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * A consecutive numbering, over all ranks, of the free unknowns that a
+   * factorisation works with: all of them, or those that cells share.
+   */
+  class FreeNumbering
+  {
+  public:
+    FreeNumbering() = default;
+
+    /** As reinit(). Collective. */
+    FreeNumbering(const CellUnknowns &unknowns,
+                  const bool          with_private,
+                  const MPI_Comm      comm)
+    {
+      reinit(unknowns, with_private, comm);
+    }
+
+    /** Anew when the constraints are new. Collective. */
+    void
+    reinit(const CellUnknowns &unknowns,
+           const bool          with_private,
+           const MPI_Comm      comm);
+
+    /** The number of the free unknown at @p place of a vector. */
+    unsigned int
+    number(const unsigned int place) const
+    {
+      return number_at[place];
+    }
+
+    /** Copy the numbered entries that this rank owns from a vector. */
+    template <typename Number>
+    void
+    extract(const Vector &x, std::vector<Number> &values) const
+    {
+      values.resize(owned_places.size());
+      for (unsigned int k = 0; k < owned_places.size(); ++k)
+        values[k] = static_cast<Number>(x.local_element(owned_places[k]));
+    }
+
+    /** Copy them to a vector. */
+    template <typename Number>
+    void
+    insert(const std::vector<Number> &values, Vector &x) const
+    {
+      for (unsigned int k = 0; k < owned_places.size(); ++k)
+        x.local_element(owned_places[k]) = values[k];
+    }
+
+    /** How many unknowns with a number this rank owns. */
+    unsigned int
+    n_owned() const
+    {
+      return owned_places.size();
+    }
+
+    /** Of all ranks. */
+    unsigned int
+    size() const
+    {
+      return n;
+    }
+
+  private:
+    std::vector<unsigned int> number_at;
+    std::vector<unsigned int> owned_places;
+    unsigned int              n = 0;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_linear_kept_preconditioner_h
+#define lumbricus_linear_kept_preconditioner_h
+
+#include <lumbricus/linear/approximate_inverse.h>
+#include <lumbricus/linear/factor_age.h>
+#include <lumbricus/linear/linear_solver.h>
+
+#include <deal.II/base/types.h>
+
+
+namespace lumbricus
+{
+  /**
+   * FGMRES, preconditioned by an approximate inverse of an earlier tangent,
+   * which is kept across Newton iterations, resets and load steps for as long
+   * as the iterations it costs are fewer than a new one is worth (FactorAge).
+   *
+   * Where even a new one does not do, the next more robust kind of inverse is
+   * taken, and used until the number of unknowns is another one. Whatever
+   * solve() throws, the next solve() begins with a new inverse of the kind it
+   * has come to.
+   */
+  class KeptPreconditioner : public LinearSolver
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    void
+    reinit(const Tangent &tangent) override;
+
+    void
+    solve(Vector &x, const Vector &b, const double wanted_tolerance) override;
+
+  protected:
+    /** The inverse of kind @p kind for the pattern of @p tangent: the fastest
+     * is 0, each one more is more robust; without an inverse where there is
+     * none left. Collective. */
+    virtual InverseKind
+    make(const Tangent &tangent, const unsigned int kind) = 0;
+
+  private:
+    /** Let go of the inverse. */
+    void
+    drop();
+
+    /** @return whether it can be done for what the tangent is now. */
+    bool
+    factor();
+
+    /** @return whether FGMRES converged. */
+    bool
+    iterate(Vector &x, const Vector &b, const double tolerance);
+
+    /** Let the next kind follow. Throws ExcNotConverged where there is none. */
+    void
+    give_up_kind();
+
+    unsigned int                    most_iterations = 60;
+    double                          least_accuracy  = 1.;
+    bool                            keep            = true;
+    const Tangent                  *tangent         = nullptr;
+    dealii::types::global_dof_index n_unknowns      = 0;
+    unsigned int                    kind            = 0;
+    InverseKind                     current;
+    /** Then there is an inverse. */
+    bool      factored = false;
+    FactorAge age;
+  };
+} // namespace lumbricus
+
+#endif

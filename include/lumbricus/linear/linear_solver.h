@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_linear_linear_solver_h
+#define lumbricus_linear_linear_solver_h
+
+#include <lumbricus/discretization/tangent.h>
+#include <lumbricus/parameters/parameter_owner.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+
+namespace lumbricus
+{
+  /** What a linear solver did since it was made, for tables and logs. */
+  struct LinearSolverStatistics
+  {
+    unsigned int n_solves         = 0;  ///< that succeeded
+    unsigned int n_iterations     = 0;  ///< of all tries
+    unsigned int most_iterations  = 0;  ///< of one try
+    unsigned int n_factorisations = 0;  ///< or cycles of multigrid set up
+    double       factor_seconds   = 0.; ///< for these
+    double       solve_seconds    = 0.; ///< for the rest
+  };
+
+
+
+  /**
+   * Solves K x = b for the tangent of the mixed problem (indefinite; symmetric
+   * where the loads are). All functions are collective.
+   */
+  class LinearSolver : public ParameterOwner
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler & /*prm*/) override
+    {}
+
+    /** Called when the mesh or the constraints are new: forget the old.
+     * @p tangent must live as long as it is used. */
+    virtual void
+    reinit(const Tangent &tangent) = 0;
+
+    /**
+     * Solve with what the tangent is now, to the relative residual
+     * @p tolerance or better; x is zero in the constrained unknowns. Both
+     * vectors are made by CellUnknowns::reinit_vector(). Throws ExcNotConverged
+     * where that is not possible.
+     */
+    virtual void
+    solve(Vector &x, const Vector &b, const double tolerance) = 0;
+
+    /** What it did since it was made. */
+    const LinearSolverStatistics &
+    statistics() const
+    {
+      return counts;
+    }
+
+    /** Call @p listener with what the user should know, as it happens. */
+    void
+    report_to(const std::function<void(const std::string &)> &new_listener)
+    {
+      listener = new_listener;
+    }
+
+  protected:
+    /** Let the user know @p message. */
+    void
+    tell(const std::string &message)
+    {
+      if (listener)
+        listener(message);
+    }
+
+    /** Count those of one try to solve. */
+    void
+    count_iterations(const unsigned int n)
+    {
+      counts.n_iterations += n;
+      counts.most_iterations = std::max(counts.most_iterations, n);
+    }
+
+    /** For derived classes to count in. */
+    LinearSolverStatistics counts;
+
+  private:
+    std::function<void(const std::string &)> listener;
+  };
+} // namespace lumbricus
+
+#endif

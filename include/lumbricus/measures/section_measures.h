@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_measures_section_measures_h
+#define lumbricus_measures_section_measures_h
+
+#include <lumbricus/discretization/body.h>
+
+#include <vector>
+
+namespace lumbricus
+{
+  /** The shape of a segment in two numbers [mm]. */
+  struct SectionMeasures
+  {
+    /** Distance of the mean positions of the wall's two end sections. */
+    double length;
+    /**
+     * Radius of the circle with the area of the deformed section in the middle
+     * of the segment, of the liquid where there is some, else of all. NaN
+     * where no mesh faces lie in that section.
+     */
+    double mid_radius;
+  };
+
+  /** The measures of every segment at @p relevant_solution, a ghosted vector.
+   * Collective. */
+  std::vector<SectionMeasures>
+  section_measures(const Body &body, const Vector &relevant_solution);
+} // namespace lumbricus
+
+#endif

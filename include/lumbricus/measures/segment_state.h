@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_measures_segment_state_h
+#define lumbricus_measures_segment_state_h
+
+#include <lumbricus/discretization/reference_field.h>
+
+#include <vector>
+
+namespace lumbricus
+{
+  /** Integrals over the deformed liquid and wall of a segment. */
+  struct SegmentState
+  {
+    double liquid_volume = 0.; ///< [mm^3], of the whole cross-section
+    double wall_volume   = 0.; ///< [mm^3], all that is not liquid
+    double pressure      = 0.; ///< int p dv over the liquid [N mm]
+    double abs_pressure  = 0.; ///< int |p| dv over the liquid [N mm]
+    double abs_deviator  = 0.; ///< int |dev sigma| dv over the liquid [N mm]
+    double largest_deviator =
+      0.; ///< largest |dev sigma| in the liquid [N/mm^2]
+
+    /** The liquid's mean pressure, positive in compression [N/mm^2]. */
+    double
+    mean_pressure() const;
+
+    /**
+     * The divergence from the hydrostatic state, eta = int |dev sigma| dv /
+     * int |p| dv over the liquid. Where the mean of |p| is below
+     * @p pressure_floor that is taken instead, so that a body without load
+     * counts as hydrostatic.
+     */
+    double
+    divergence(const double pressure_floor) const;
+  };
+
+  /** The integrals of every segment at @p relevant_solution, a ghosted vector.
+   * Collective. */
+  std::vector<SegmentState>
+  segment_states(const Body           &body,
+                 const ReferenceField &references,
+                 const Vector         &relevant_solution);
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/interruption.h>
+#include <lumbricus/equilibrium/equilibrium.h>
+#include <lumbricus/linear/bordered_solver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace lumbricus
+{
+  namespace
+  {
+    // What rounding leaves of the residual is at most this many times what is
+    // expected.
+    constexpr double certain = 2.;
+
+
+
+    template <typename VectorType>
+    dealii::ArrayView<double>
+    owned_entries(VectorType &v)
+    {
+      const std::size_t n = v.end() - v.begin();
+      return {n > 0 ? &*v.begin() : nullptr, n};
+    }
+  } // namespace
+
+
+
+  Equilibrium::Equilibrium(const Body          &body,
+                           Assembler           &assembler,
+                           Supports            &supports,
+                           LinearSolver        &linear_solver,
+                           dealii::TimerOutput &timer)
+    : body(body)
+    , assembler(assembler)
+    , supports(supports)
+    , linear_solver(linear_solver)
+    , timer(timer)
+  {}
+
+
+
+  void
+  Equilibrium::reinit()
+  {
+    const MixedSpace &space  = body.space;
+    const ShapeCache &shapes = body.shapes;
+    const MPI_Comm    comm   = space.communicator();
+    component.assign(space.locally_owned.n_elements(), dim);
+    std::vector<dealii::types::global_dof_index> indices(
+      space.fe.n_dofs_per_cell());
+    for (const auto &cell : space.owned_cells())
+      {
+        cell->get_dof_indices(indices);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (const unsigned int k : space.displacement_dof[c])
+            if (space.locally_owned.is_element(indices[k]))
+              component[space.locally_owned.index_within_set(indices[k])] = c;
+      }
+
+    double volume = 0.;
+    for (unsigned int i = 0; i < shapes.n_owned_cells(); ++i)
+      for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
+        volume += shapes.cell(i).JxW[q];
+    body_volume = dealii::Utilities::MPI::sum(volume, comm);
+    length      = body.anatomy.geometry().characteristic_length();
+
+    std::vector<double> ends(2 * dim, std::numeric_limits<double>::lowest());
+    for (unsigned int i = 0; i < shapes.n_owned_cells(); ++i)
+      for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const double X = shapes.node(i, n)[c];
+            ends[c]        = std::max(ends[c], X);
+            ends[dim + c]  = std::max(ends[dim + c], -X);
+          }
+    dealii::Utilities::MPI::max(ends, comm, ends);
+    extent = 0.;
+    for (unsigned int c = 0; c < dim; ++c)
+      extent = std::max(extent, (ends[c] + ends[dim + c]) / length);
+
+    // Forces are small, relative to nothing else, where they are those of a
+    // strain of 1e-6 in the stiffest tissue.
+    least_force = 1e-6 * body.anatomy.wall_stiffness() * length * length;
+
+    reinit_solvers();
+  }
+
+
+
+  void
+  Equilibrium::reinit_solvers()
+  {
+    assembler.reinit();
+    linear_solver.reinit(assembler.tangent());
+  }
+
+
+
+  void
+  Equilibrium::set_borders(const std::vector<BorderSource *> &new_sources)
+  {
+    sources = new_sources;
+  }
+
+
+
+  const std::vector<BorderSource *> &
+  Equilibrium::borders() const
+  {
+    return sources;
+  }
+
+
+
+  Globals
+  Equilibrium::globals_at_rest() const
+  {
+    Globals globals;
+    for (const BorderSource *source : sources)
+      for (const auto &of_name : source->globals_at_rest())
+        {
+          Assert(globals.count(of_name.first) == 0,
+                 dealii::ExcMessage("Two borders have unknowns '" +
+                                    of_name.first + "'."));
+          globals.insert(of_name);
+        }
+    return globals;
+  }
+
+
+
+  void
+  Equilibrium::set_time(const LoadTime &t, const Vector &solution)
+  {
+    time              = t;
+    prescribed_is_due = supports.set_increments(solution, t) > 1e-14 * length;
+  }
+
+
+
+  void
+  Equilibrium::forget_factors()
+  {
+    linear_solver.reinit(assembler.tangent());
+  }
+
+
+
+  void
+  Equilibrium::start_from(const Vector &solution)
+  {
+    if (!supports.follow_the_deformation())
+      return;
+    start = solution;
+    supports.update_interface(solution, start);
+    reinit_solvers();
+  }
+
+
+
+  void
+  Equilibrium::follow(const Vector &x)
+  {
+    if (!supports.follow_the_deformation())
+      return;
+    supports.update_interface(x, start);
+    if (!assembler.update_constraints())
+      reinit_solvers();
+  }
+
+
+
+  NonlinearProblem::Residual
+  Equilibrium::residual(const Unknowns &x)
+  {
+    dealii::TimerOutput::Scope scope(timer, "residual");
+    follow(x.solution);
+    const auto   report = assembler.residual(x.solution, time, r);
+    const Border rows   = border_at(x, false, owned_entries(r));
+
+    double force = 0., volume = 0.;
+    for (unsigned int i = 0; i < component.size(); ++i)
+      {
+        const double entry = r.begin()[i];
+        if (component[i] == dim)
+          volume += std::abs(entry);
+        else
+          force += entry * entry;
+      }
+    const MPI_Comm comm = body.space.communicator();
+    Residual       residual;
+    const double   level = std::max(report.force_level, least_force);
+    residual.force =
+      std::sqrt(dealii::Utilities::MPI::sum(force, comm)) / level;
+    residual.volume = dealii::Utilities::MPI::sum(volume, comm) / body_volume;
+    residual.gap    = supports.gap() / length;
+    for (unsigned int k = 0; k < rows.size(); ++k)
+      {
+        residual.border += std::abs(rows.residual[k]) / rows.scale[k];
+        residual.border_rounding += certain * rows.rounding[k] / rows.scale[k];
+      }
+    residual.force_rounding  = certain * report.force_rounding / level;
+    residual.volume_rounding = certain * report.volume_rounding / body_volume;
+    residual.valid  = report.valid() && std::isfinite(residual.merit());
+    return residual;
+  }
+
+
+
+  void
+  Equilibrium::linearise(const Unknowns &x)
+  {
+    throw_if_interrupted(body.space.communicator());
+    dealii::TimerOutput::Scope scope(timer, "assembly");
+    assembler.linearise(x.solution, time);
+    if (sources.empty())
+      return;
+    rhs = assembler.right_hand_side();
+    rhs *= -1.;
+    border = border_at(x, true, owned_entries(rhs));
+    rhs *= -1.;
+  }
+
+
+
+  void
+  Equilibrium::solve(Unknowns &dx, const double tolerance)
+  {
+    dealii::TimerOutput::Scope scope(timer, "linear solver");
+    const Vector &b = assembler.right_hand_side();
+    dx.solution.reinit(b, true);
+    if (sources.empty())
+      linear_solver.solve(dx.solution, b, tolerance);
+    else
+      {
+        std::vector<double> dg, c = border.residual;
+        for (double &entry : c)
+          entry *= -1.;
+        BorderedSolver(linear_solver, assembler.tangent())
+          .solve(dx.solution, dg, rhs, c, border, tolerance);
+        dx.globals = border.write(dg);
+      }
+    supports.constraints().distribute(dx.solution);
+  }
+
+
+
+  Border
+  Equilibrium::border_at(const Unknowns           &x,
+                         const bool                with_derivatives,
+                         dealii::ArrayView<double> entries) const
+  {
+    Border all;
+    for (BorderSource *source : sources)
+      all.append(source->border(
+        x.solution, x.globals, time, with_derivatives, entries));
+    return all;
+  }
+
+
+
+  bool
+  Equilibrium::leaps(const Vector &from, const Vector &to) const
+  {
+    Vector way = to;
+    way -= from;
+    double sums[2 * dim] = {};
+    for (unsigned int i = 0; i < component.size(); ++i)
+      if (component[i] < dim)
+        {
+          sums[component[i]] += way.begin()[i];
+          sums[dim + component[i]] += 1.;
+        }
+    dealii::Utilities::MPI::sum(sums, body.space.communicator(), sums);
+    for (unsigned int i = 0; i < component.size(); ++i)
+      if (component[i] < dim)
+        way.begin()[i] -= sums[component[i]] / sums[dim + component[i]];
+    return increment_size(way) > extent;
+  }
+
+
+
+  double
+  Equilibrium::increment_size(const Vector &dx) const
+  {
+    double largest = 0.;
+    for (unsigned int i = 0; i < component.size(); ++i)
+      if (component[i] < dim)
+        largest = std::max(largest, std::abs(dx.begin()[i]));
+    return dealii::Utilities::MPI::max(largest, body.space.communicator()) /
+           length;
+  }
+
+
+
+  bool
+  Equilibrium::increments_prescribed() const
+  {
+    return prescribed_is_due;
+  }
+
+
+
+  void
+  Equilibrium::increments_taken()
+  {
+    if (prescribed_is_due)
+      supports.set_increments_to_zero();
+    prescribed_is_due = false;
+  }
+
+
+
+  std::string
+  Equilibrium::locate_trouble(const Unknowns &x)
+  {
+    const MixedSpace  &space  = body.space;
+    const auto         report = assembler.residual(x.solution, time, r);
+    border_at(x, false, owned_entries(r));
+    std::ostringstream where;
+    if (!report.valid())
+      {
+        where << "segment " << report.min_J_segment + 1
+              << " has an inverted element (det F = " << report.min_J << ")";
+        return where.str();
+      }
+
+    // The largest out-of-balance force, and a cell that has it.
+    double       largest = 0.;
+    unsigned int place   = 0;
+    for (unsigned int i = 0; i < component.size(); ++i)
+      if (component[i] < dim && std::abs(r.begin()[i]) > largest)
+        {
+          largest = std::abs(r.begin()[i]);
+          place   = i;
+        }
+    unsigned int segment = 0;
+    if (largest > 0.)
+      {
+        const auto index = space.locally_owned.nth_index_in_set(place);
+        std::vector<dealii::types::global_dof_index> indices(
+          space.fe.n_dofs_per_cell());
+        for (const auto &cell : space.dof_handler.active_cell_iterators())
+          if (!cell->is_artificial())
+            {
+              cell->get_dof_indices(indices);
+              if (std::find(indices.begin(), indices.end(), index) !=
+                  indices.end())
+                {
+                  segment = Region::of(cell->material_id()).segment;
+                  break;
+                }
+            }
+      }
+    const MPI_Comm comm   = space.communicator();
+    const auto     global = dealii::Utilities::MPI::min_max_avg(largest, comm);
+    segment =
+      dealii::Utilities::MPI::broadcast(comm, segment, global.max_index);
+    where << "the largest out-of-balance force, " << global.max
+          << ", is in segment " << segment + 1 << ", the smallest det F, "
+          << report.min_J << ", in segment " << report.min_J_segment + 1;
+    return where.str();
+  }
+} // namespace lumbricus

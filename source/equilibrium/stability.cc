@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/cell_sizes.h>
+#include <lumbricus/equilibrium/stability.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumbricus
+{
+  namespace
+  {
+    using cell_sizes::n_nodes;
+    using cell_sizes::n_per_cell;
+    using cell_sizes::n_q;
+
+    // Of linear solves, and of the stiffness that inverse iteration finds.
+    constexpr double       solve_tolerance = 1e-5;
+    constexpr double       tolerance       = 1e-3;
+    constexpr unsigned int most_iterations = 40;
+
+    // Component c of a motion at quadrature point q of a cell.
+    double
+    value(const ShapeCache  &shapes,
+          const double      *of_cell,
+          const unsigned int q,
+          const unsigned int c)
+    {
+      double sum = 0.;
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        sum += shapes.node_values()[n_nodes * q + n] *
+               of_cell[CellUnknowns::displacement(c, n)];
+      return sum;
+    }
+
+
+
+    // Call function(cell) for the owned cells of the wall.
+    template <typename Function>
+    void
+    for_each_wall_cell(const Body &body, const Function &function)
+    {
+      for (const OwnedCell cell : body.owned_cells())
+        if (!cell.is_liquid)
+          function(cell);
+    }
+  } // namespace
+
+
+
+  Stability::Stability(const Body    &body,
+                       const Tangent &tangent,
+                       LinearSolver  &linear_solver)
+    : body(body)
+    , tangent(tangent)
+    , linear_solver(linear_solver)
+  {}
+
+
+
+  Vector
+  Stability::mass(const Vector &v) const
+  {
+    const CellUnknowns &unknowns = tangent.unknowns;
+    const ShapeCache   &shapes   = body.shapes;
+    Vector              result;
+    unknowns.reinit_vector(result);
+    double v_cell[n_per_cell], result_cell[n_per_cell];
+    v.update_ghost_values();
+    for_each_wall_cell(body, [&](const OwnedCell &cell) {
+      unknowns.read_free(cell.index, v, v_cell);
+      std::fill(result_cell, result_cell + n_per_cell, 0.);
+      for (unsigned int q = 0; q < n_q; ++q)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const double v_dV =
+              value(shapes, v_cell, q, c) * shapes.cell(cell.index).JxW[q];
+            for (unsigned int n = 0; n < n_nodes; ++n)
+              result_cell[CellUnknowns::displacement(c, n)] +=
+                shapes.node_values()[n_nodes * q + n] * v_dV;
+          }
+      unknowns.add(cell.index, result_cell, result);
+    });
+    result.compress(dealii::VectorOperation::add);
+    v.zero_out_ghost_values();
+    return result;
+  }
+
+
+
+  Stability::Motion
+  Stability::softest_motion() const
+  {
+    // Begin with some force that has no symmetry.
+    const CellUnknowns &unknowns = tangent.unknowns;
+    Vector              f;
+    unknowns.reinit_vector(f);
+    const double size = body.anatomy.geometry().characteristic_length();
+    for_each_wall_cell(body, [&](const OwnedCell &cell) {
+      double f_cell[n_per_cell] = {};
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        {
+          const auto X = body.shapes.node(cell.index, n) / size;
+          for (unsigned int c = 0; c < dim; ++c)
+            f_cell[CellUnknowns::displacement(c, n)] =
+              std::sin(1. + 2. * c + 7. * X[0] + 11. * X[1] + 5. * X[2]);
+        }
+      unknowns.add(cell.index, f_cell, f);
+    });
+    f.compress(dealii::VectorOperation::add);
+
+    Motion motion = response(f);
+    for (unsigned int n = 0; n < most_iterations; ++n)
+      {
+        const double before = motion.stiffness;
+        motion              = response(mass(motion.v));
+        if (std::abs(motion.stiffness - before) <=
+            tolerance * std::abs(motion.stiffness))
+          break;
+      }
+    return motion;
+  }
+
+
+
+  Stability::Motion
+  Stability::follow(const Motion &before, const Motion &other) const
+  {
+    Vector f = mass(before.v);
+    f.add(-(before.v * mass(other.v)), mass(other.v));
+    return response(f);
+  }
+
+
+
+  Stability::Motion
+  Stability::response(const Vector &f) const
+  {
+    Motion motion;
+    tangent.unknowns.reinit_vector(motion.v);
+    linear_solver.solve(motion.v, f, solve_tolerance);
+    const double work = motion.v * f;
+    const double size = std::sqrt(motion.v * mass(motion.v));
+    motion.v /= size;
+    // v . K v = v . f, as the motion keeps all volumes.
+    motion.stiffness = work / (size * size);
+    return motion;
+  }
+
+
+
+  double
+  Stability::likeness(const Motion &one, const Motion &other) const
+  {
+    return std::abs(one.v * mass(other.v));
+  }
+
+
+
+  std::string
+  Stability::place(const Motion &motion) const
+  {
+    double largest = 0.;
+    Region where{0, 0};
+    double v_cell[n_per_cell];
+    motion.v.update_ghost_values();
+    for_each_wall_cell(body, [&](const OwnedCell &cell) {
+      tangent.unknowns.read_free(cell.index, motion.v, v_cell);
+      for (unsigned int q = 0; q < n_q; ++q)
+        {
+          double square = 0.;
+          for (unsigned int c = 0; c < dim; ++c)
+            square += std::pow(value(body.shapes, v_cell, q, c), 2);
+          if (square > largest)
+            {
+              largest = square;
+              where   = cell.region;
+            }
+        }
+    });
+    motion.v.zero_out_ghost_values();
+
+    const MPI_Comm comm    = body.space.communicator();
+    const auto     global  = dealii::Utilities::MPI::min_max_avg(largest, comm);
+    const auto     tissues = body.anatomy.geometry().tissues();
+    const std::string here = "segment " + std::to_string(where.segment + 1) +
+                             ", " + tissues[where.tissue].name;
+    return dealii::Utilities::MPI::broadcast(comm, here, global.max_index);
+  }
+} // namespace lumbricus

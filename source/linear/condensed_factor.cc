@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/linear/condensed_factor.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <algorithm>
+
+namespace lumbricus
+{
+  CondensedFactor::CondensedFactor(const Tangent  &tangent,
+                                   const Accuracy &accuracy,
+                                   const MPI_Comm  comm)
+    : tangent(tangent)
+    , numbering(tangent.unknowns, false, comm)
+    , mumps(comm,
+            {tangent.symmetric, accuracy.pivoting, accuracy.compression},
+            numbering)
+    , inverses(tangent.unknowns.n_cells())
+    , couplings(tangent.unknowns.n_cells())
+  {
+    tangent.unknowns.reinit_vector(reduced);
+    mumps.analyse(tangent.unknowns, tangent.unknowns.n_cells(), n_private);
+  }
+
+
+
+  void
+  CondensedFactor::factor()
+  {
+    const CellUnknowns        &unknowns = tangent.unknowns;
+    constexpr unsigned int     n_modes  = MixedSpace::n_pressure_modes;
+    std::vector<double>        K, S, row;
+    dealii::FullMatrix<double> K_zz(n_private, n_private);
+
+    mumps.begin();
+    for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
+      {
+        tangent.cell_matrix(i, K);
+        unknowns.apply_constraints(i, K);
+        const unsigned int n        = unknowns.free_unknowns(i).size();
+        const unsigned int n_shared = n - n_private;
+
+        for (unsigned int r = 0; r < n_private; ++r)
+          for (unsigned int s = 0; s < n_private; ++s)
+            K_zz(r, s) = K[r * n + s];
+        const auto   M = tangent.pressure_mass(i);
+        const double compressibility =
+          1. / (penalty * tangent.shear_modulus[i]);
+        for (unsigned int r = 0; r < n_modes; ++r)
+          for (unsigned int s = 0; s < n_modes; ++s)
+            K_zz(CellUnknowns::pressure(r), CellUnknowns::pressure(s)) -=
+              compressibility * M[r * n_modes + s];
+        K_zz.gauss_jordan();
+        std::copy(&K_zz(0, 0),
+                  &K_zz(0, 0) + n_private * n_private,
+                  inverses[i].begin());
+
+        auto &W = couplings[i];
+        S.resize(n_shared * n_shared);
+        row.assign(n_private * n_shared, 0.);
+        for (unsigned int r = 0; r < n_private; ++r)
+          {
+            double *const row_r = row.data() + r * n_shared;
+            for (unsigned int s = 0; s < n_private; ++s)
+              for (unsigned int k = 0; k < n_shared; ++k)
+                row_r[k] += K_zz(r, s) * K[s * n + n_private + k];
+          }
+        W.assign(row.begin(), row.end());
+        for (unsigned int r = 0; r < n_shared; ++r)
+          {
+            double *const S_r = S.data() + r * n_shared;
+            const double *K_r = K.data() + (n_private + r) * n;
+            std::copy(K_r + n_private, K_r + n, S_r);
+            for (unsigned int z = 0; z < n_private; ++z)
+              for (unsigned int k = 0; k < n_shared; ++k)
+                S_r[k] -= K_r[z] * row[z * n_shared + k];
+          }
+        mumps.add(n_shared, S.data());
+      }
+    mumps.factor();
+  }
+
+
+
+  void
+  CondensedFactor::vmult(Vector &y, const Vector &x) const
+  {
+    const CellUnknowns &unknowns = tangent.unknowns;
+
+    reduced = 0.;
+    for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
+      {
+        const auto          places   = unknowns.free_unknowns(i);
+        const unsigned int  n_shared = places.size() - n_private;
+        const unsigned int *shared   = places.data() + n_private;
+        for (unsigned int z = 0; z < n_private; ++z)
+          {
+            const double r = x.local_element(places[z]);
+            const float *W = couplings[i].data() + z * n_shared;
+            for (unsigned int k = 0; k < n_shared; ++k)
+              reduced.local_element(shared[k]) -= W[k] * r;
+          }
+      }
+    reduced.compress(dealii::VectorOperation::add);
+    reduced += x;
+
+    numbering.extract(reduced, values);
+    mumps.solve(values);
+    y = x; // in the constrained unknowns
+    numbering.insert(values, y);
+
+    y.update_ghost_values();
+    for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
+      {
+        const auto          places   = unknowns.free_unknowns(i);
+        const unsigned int  n_shared = places.size() - n_private;
+        const unsigned int *shared   = places.data() + n_private;
+        for (unsigned int z = 0; z < n_private; ++z)
+          {
+            double       sum = 0.;
+            const float *W   = couplings[i].data() + z * n_shared;
+            for (unsigned int k = 0; k < n_shared; ++k)
+              sum -= W[k] * y.local_element(shared[k]);
+            for (unsigned int r = 0; r < n_private; ++r)
+              sum +=
+                inverses[i][z * n_private + r] * x.local_element(places[r]);
+            y.local_element(places[z]) = sum;
+          }
+      }
+    y.zero_out_ghost_values();
+  }
+
+
+
+  double
+  CondensedFactor::cost() const
+  {
+    return mumps.factor_cost();
+  }
+} // namespace lumbricus

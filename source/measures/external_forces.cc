@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/element_kernel.h>
+#include <lumbricus/measures/external_forces.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+
+namespace lumbricus
+{
+  namespace
+  {
+    // One entry for everything that can act, without forces.
+    std::vector<ExternalForce>
+    everything_that_acts(const Geometry           &geometry,
+                         const BoundaryConditions &conditions,
+                         const BodyForces         &body_forces,
+                         const Supports           &supports)
+    {
+      std::vector<ExternalForce> all;
+      const auto                 add = [&](const ExternalForce::Kind kind,
+                           const std::string        &name) {
+        ExternalForce entry;
+        entry.kind = kind;
+        entry.name = name;
+        all.push_back(entry);
+      };
+      for (unsigned int i = 0; i < conditions.n_conditions(); ++i)
+        add(ExternalForce::Kind::condition, conditions.condition(i).name);
+      for (const SymmetryPlane &plane : geometry.symmetry_planes())
+        add(ExternalForce::Kind::symmetry,
+            std::string("symmetry ") + "xyz"[plane.direction]);
+      for (const Supports::HeldPoint &point : supports.minimal_support())
+        {
+          add(ExternalForce::Kind::minimal_support, "minimal support");
+          all.back().X         = point.X;
+          all.back().direction = point.direction;
+        }
+      for (unsigned int i = 0; i < body_forces.n_forces(); ++i)
+        add(ExternalForce::Kind::body_force, body_forces.force(i).name);
+      return all;
+    }
+
+
+
+    // A vector to which this rank's cells may add through these links, which
+    // under slip may lead to unknowns that are none of the cells around.
+    Vector
+    vector_of(const dealii::AffineConstraints<double> &links,
+              const MixedSpace                        &space)
+    {
+      dealii::IndexSet reached = space.locally_relevant;
+      for (const auto &line : links.get_lines())
+        for (const auto &entry : line.entries)
+          reached.add_index(entry.first);
+      return Vector(space.locally_owned, reached, space.communicator());
+    }
+
+
+
+    void
+    sum_over_ranks(std::vector<ExternalForce> &all, const MPI_Comm comm)
+    {
+      std::vector<double> sums;
+      for (const ExternalForce &entry : all)
+        {
+          for (unsigned int c = 0; c < dim; ++c)
+            sums.insert(sums.end(), {entry.force[c], entry.moment[c]});
+          sums.push_back(entry.magnitude);
+        }
+      dealii::Utilities::MPI::sum(sums, comm, sums);
+      const double *sum = sums.data();
+      for (ExternalForce &entry : all)
+        {
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              entry.force[c]  = *sum++;
+              entry.moment[c] = *sum++;
+            }
+          entry.magnitude = *sum++;
+        }
+    }
+  } // namespace
+
+
+
+  void
+  ExternalForce::add(const dealii::Point<dim>     &x,
+                     const dealii::Tensor<1, dim> &f)
+  {
+    force += f;
+    moment += dealii::cross_product_3d(x, f);
+    magnitude += f.norm();
+  }
+
+
+
+  ExternalForce &
+  ExternalForce::operator+=(const ExternalForce &other)
+  {
+    force += other.force;
+    moment += other.moment;
+    magnitude += other.magnitude;
+    return *this;
+  }
+
+
+
+  std::vector<ExternalForce>
+  external_forces(const Body               &body,
+                  const BoundaryConditions &conditions,
+                  SurfaceTerms             &terms,
+                  const BodyForces         &body_forces,
+                  const VolumeTerms        &volume_terms,
+                  const ReferenceField     &references,
+                  const Supports           &supports,
+                  const Vector             &solution,
+                  const double              t)
+  {
+    const MixedSpace &space    = body.space;
+    const ShapeCache &shapes   = body.shapes;
+    const Geometry   &geometry = body.anatomy.geometry();
+    auto all =
+      everything_that_acts(geometry, conditions, body_forces, supports);
+    const unsigned int n_conditions = conditions.n_conditions();
+    const unsigned int n_planes     = geometry.symmetry_planes().size();
+
+    const unsigned int first_body_force = all.size() - body_forces.n_forces();
+
+    const Vector      relevant = space.with_ghosts(solution);
+    const auto        links    = supports.links();
+    std::vector<bool> held(space.locally_relevant.n_elements(), false);
+    for (const Supports::Prescribed &entry : supports.prescribed_unknowns())
+      held[space.locally_relevant.index_within_set(entry.index)] = true;
+
+    Vector                 nodal  = vector_of(links, space);
+    const unsigned int     n_dofs = space.fe.n_dofs_per_cell();
+    dealii::Vector<double> of_cell(n_dofs);
+    std::vector<dealii::types::global_dof_index> indices(n_dofs);
+    ElementKernel                                kernel;
+    for (const OwnedCell cell : body.owned_cells())
+      {
+        cell.iterator->get_dof_indices(indices);
+        const bool supported =
+          std::any_of(indices.begin(), indices.end(), [&](const auto index) {
+            return held[space.locally_relevant.index_within_set(index)] ||
+                   links.is_constrained(index);
+          });
+        const bool is_pulled = volume_terms.act_in(cell);
+        if (!supported && !is_pulled && !cell.iterator->at_boundary())
+          continue;
+
+        kernel.read(space, cell.iterator, relevant, indices);
+        of_cell = 0.;
+        if (supported)
+          {
+            kernel.evaluate(shapes.cell(cell.index),
+                            shapes.pressure_modes(),
+                            cell.tissue,
+                            references.cell(cell.index),
+                            nullptr);
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+                of_cell(space.displacement_dof[c][n]) = kernel.force[c][n];
+          }
+        terms.visit(
+          cell,
+          kernel.u,
+          t,
+          [&](const unsigned int condition, const SurfaceResponse &response) {
+            const SurfaceKernel &point = terms.point();
+            const auto           f     = point.JxW * response.T;
+            all[condition].add(point.X + point.u, f);
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+                of_cell(space.displacement_dof[c][n]) -= point.values[n] * f[c];
+          });
+        if (is_pulled)
+          volume_terms.visit(
+            cell,
+            kernel.u,
+            t,
+            [&](const unsigned int        force,
+                const VolumeTerms::Point &point,
+                const VolumeResponse     &response) {
+              const auto f = point.JxW * response.b;
+              all[first_body_force + force].add(point.x, f);
+              for (unsigned int c = 0; c < dim; ++c)
+                for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+                  of_cell(space.displacement_dof[c][n]) -=
+                    point.values[n] * f[c];
+            });
+        if (supported)
+          links.distribute_local_to_global(of_cell, indices, nodal);
+      }
+    nodal.compress(dealii::VectorOperation::add);
+
+    for (const Supports::Prescribed &entry : supports.prescribed_unknowns())
+      {
+        if (!space.locally_owned.is_element(entry.index))
+          continue;
+        dealii::Point<dim>     x = entry.X;
+        dealii::Tensor<1, dim> r;
+        for (unsigned int c = 0; c < dim; ++c)
+          x[c] += relevant(entry.node[c]);
+        r[entry.component] = nodal(entry.index);
+        if (entry.by == Supports::By::condition)
+          all[entry.number].add(x, r);
+        else if (entry.by == Supports::By::symmetry)
+          all[n_conditions + entry.number].add(x, r);
+        else
+          all[n_conditions + n_planes + entry.number].add(x, r);
+      }
+    sum_over_ranks(all, space.communicator());
+    return all;
+  }
+} // namespace lumbricus

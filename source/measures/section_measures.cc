@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/measures/section_measures.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <cmath>
+#include <limits>
+
+namespace lumbricus
+{
+  namespace
+  {
+    // What is summed over the faces of a segment's sections.
+    struct Sums
+    {
+      dealii::Tensor<1, dim> position[2]; // at its begin and end, times area
+      double                 area[2] = {0., 0.};
+      dealii::Tensor<1, dim> middle; // vector area
+    };
+
+
+
+    // Reduce over the ranks, all segments at once.
+    void
+    sum_over_ranks(std::vector<Sums> &sums, const MPI_Comm comm)
+    {
+      std::vector<double> flat;
+      for (const Sums &s : sums)
+        {
+          flat.insert(flat.end(), {s.area[0], s.area[1]});
+          for (const auto &v : {s.position[0], s.position[1], s.middle})
+            for (unsigned int i = 0; i < dim; ++i)
+              flat.push_back(v[i]);
+        }
+      dealii::Utilities::MPI::sum(flat, comm, flat);
+      const double *entry = flat.data();
+      for (Sums &s : sums)
+        {
+          s.area[0] = *entry++;
+          s.area[1] = *entry++;
+          for (auto *v : {&s.position[0], &s.position[1], &s.middle})
+            for (unsigned int i = 0; i < dim; ++i)
+              (*v)[i] = *entry++;
+        }
+    }
+  } // namespace
+
+
+
+  std::vector<SectionMeasures>
+  section_measures(const Body &body, const Vector &relevant_solution)
+  {
+    const MixedSpace &space      = body.space;
+    const Geometry   &geometry   = body.anatomy.geometry();
+    const auto        sections   = geometry.sections();
+    const auto        tissues    = geometry.tissues();
+    const double      tolerance  = 1e-9 * geometry.characteristic_length();
+    const bool        has_liquid = body.anatomy.has_liquid();
+
+    dealii::FEFaceValues<dim> face_values(space.mapping,
+                                          space.fe,
+                                          space.face_quadrature,
+                                          dealii::update_values |
+                                            dealii::update_gradients |
+                                            dealii::update_quadrature_points |
+                                            dealii::update_normal_vectors |
+                                            dealii::update_JxW_values);
+    const unsigned int        n_dofs = space.fe.n_dofs_per_cell();
+    std::vector<dealii::types::global_dof_index> indices(n_dofs);
+    std::vector<double>                          cell_solution(n_dofs);
+    std::vector<dealii::Tensor<1, dim>> u(space.face_quadrature.size());
+    std::vector<dealii::Tensor<2, dim>> grad_u(space.face_quadrature.size());
+
+    std::vector<Sums> sums(sections.size());
+    for (const OwnedCell cell : body.owned_cells())
+      {
+        const SegmentSections &section = sections[cell.region.segment];
+        Sums                  &sum     = sums[cell.region.segment];
+        const bool             wall    = tissues[cell.region.tissue].wall_layer;
+        const bool             middle  = cell.is_liquid == has_liquid;
+        for (const auto &face : cell.iterator->face_iterators())
+          {
+            const double x  = face->center()[0];
+            const auto   at = [&](const double plane) {
+              return std::abs(x - plane) < tolerance;
+            };
+            const bool at_begin  = wall && at(section.begin);
+            const bool at_end    = wall && at(section.end);
+            const bool at_middle = middle && at(section.middle) &&
+                                   cell.iterator->center()[0] < section.middle;
+            if (!at_begin && !at_end && !at_middle)
+              continue;
+
+            face_values.reinit(mesh_cell(cell.iterator), face);
+            cell.iterator->get_dof_indices(indices);
+            for (unsigned int i = 0; i < n_dofs; ++i)
+              cell_solution[i] = relevant_solution(indices[i]);
+            const auto &displacement = face_values[space.displacement];
+            displacement.get_function_values_from_local_dof_values(
+              cell_solution, u);
+            displacement.get_function_gradients_from_local_dof_values(
+              cell_solution, grad_u);
+            for (unsigned int q = 0; q < u.size(); ++q)
+              {
+                const double dA = face_values.JxW(q);
+                if (at_begin || at_end)
+                  {
+                    sum.position[at_end] +=
+                      (face_values.quadrature_point(q) + u[q]) * dA;
+                    sum.area[at_end] += dA;
+                  }
+                if (at_middle)
+                  {
+                    const dealii::Tensor<2, dim> F =
+                      grad_u[q] + dealii::unit_symmetric_tensor<dim, double>();
+                    sum.middle +=
+                      determinant(F) *
+                      (transpose(invert(F)) * face_values.normal_vector(q)) *
+                      dA;
+                  }
+              }
+          }
+      }
+    sum_over_ranks(sums, space.communicator());
+
+    // The mirror images cancel what is normal to a plane of symmetry.
+    std::vector<SectionMeasures> measures;
+    for (Sums &sum : sums)
+      {
+        dealii::Tensor<1, dim> axis =
+          sum.position[1] / sum.area[1] - sum.position[0] / sum.area[0];
+        double images = 1.;
+        for (const SymmetryPlane &plane : geometry.symmetry_planes())
+          if (plane.direction != 0)
+            {
+              axis[plane.direction]       = 0.;
+              sum.middle[plane.direction] = 0.;
+              images *= 2.;
+            }
+        const double area = images * sum.middle.norm();
+        measures.push_back({axis.norm(),
+                            area > 0. ?
+                              std::sqrt(area / dealii::numbers::PI) :
+                              std::numeric_limits<double>::quiet_NaN()});
+      }
+    return measures;
+  }
+} // namespace lumbricus

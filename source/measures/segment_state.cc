@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/element_kernel.h>
+#include <lumbricus/materials/cauchy_stress.h>
+#include <lumbricus/measures/segment_state.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumbricus
+{
+  double
+  SegmentState::mean_pressure() const
+  {
+    return liquid_volume > 0. ? pressure / liquid_volume : 0.;
+  }
+
+
+
+  double
+  SegmentState::divergence(const double pressure_floor) const
+  {
+    return liquid_volume > 0. ?
+             abs_deviator /
+               std::max(abs_pressure, pressure_floor * liquid_volume) :
+             0.;
+  }
+
+
+
+  std::vector<SegmentState>
+  segment_states(const Body           &body,
+                 const ReferenceField &references,
+                 const Vector         &relevant_solution)
+  {
+    const MixedSpace         &space    = body.space;
+    const ShapeCache         &shapes   = body.shapes;
+    const Geometry           &geometry = body.anatomy.geometry();
+    std::vector<SegmentState> states(geometry.n_segments());
+    ElementKernel             kernel;
+    MaterialResponse          response;
+    std::vector<dealii::types::global_dof_index> indices(
+      space.fe.n_dofs_per_cell());
+    for (const OwnedCell cell : body.owned_cells())
+      {
+        const ShapeCache::Cell shape = shapes.cell(cell.index);
+        SegmentState          &state = states[cell.region.segment];
+
+        kernel.read(space, cell.iterator, relevant_solution, indices);
+        kernel.compute_deformation(shape);
+        for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
+          {
+            const double J  = determinant(kernel.F[q]);
+            const double dV = shape.JxW[q];
+            if (!cell.is_liquid)
+              {
+                state.wall_volume += J * dV;
+                continue;
+              }
+            cell.tissue.evaluate(kernel.F[q],
+                                 kernel.pressure(shapes.pressure_modes(), q),
+                                 references.cell(cell.index)[q],
+                                 false,
+                                 response);
+            const auto   sigma    = cauchy_stress(response.P, kernel.F[q]);
+            const double p        = -trace(sigma) / dim;
+            const double deviator = dealii::deviator(sigma).norm();
+            state.liquid_volume += J * dV;
+            state.pressure += p * J * dV;
+            state.abs_pressure += std::abs(p) * J * dV;
+            state.abs_deviator += deviator * J * dV;
+            state.largest_deviator = std::max(state.largest_deviator, deviator);
+          }
+      }
+
+    // One reduction for all sums, one for all maxima.
+    std::vector<double> sums, maxima;
+    for (const SegmentState &state : states)
+      {
+        sums.insert(sums.end(),
+                    {state.liquid_volume,
+                     state.wall_volume,
+                     state.pressure,
+                     state.abs_pressure,
+                     state.abs_deviator});
+        maxima.push_back(state.largest_deviator);
+      }
+    const MPI_Comm comm = space.communicator();
+    dealii::Utilities::MPI::sum(sums, comm, sums);
+    dealii::Utilities::MPI::max(maxima, comm, maxima);
+
+    const double whole = geometry.symmetry_factor();
+    for (unsigned int s = 0; s < states.size(); ++s)
+      {
+        const double *sum          = &sums[5 * s];
+        states[s].liquid_volume    = whole * sum[0];
+        states[s].wall_volume      = whole * sum[1];
+        states[s].pressure         = whole * sum[2];
+        states[s].abs_pressure     = whole * sum[3];
+        states[s].abs_deviator     = whole * sum[4];
+        states[s].largest_deviator = maxima[s];
+      }
+    return states;
+  }
+} // namespace lumbricus
