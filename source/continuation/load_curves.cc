@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/continuation/curve_samples.h>
 #include <lumbricus/continuation/load_curves.h>
 #include <lumbricus/parameters/patterns.h>
 
@@ -8,6 +7,8 @@
 #include <map>
 #include <sstream>
 #include <utility>
+
+#include "curve_samples.h"
 
 namespace lumbricus
 {

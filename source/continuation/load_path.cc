@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/continuation/load_path.h>
+#include "load_path.h"
+
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/program/diagnosis.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/continuation/load_path.h>
-#include <lumbricus/continuation/time_steps.h>
+#include "time_steps.h"
+
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/parameters/registry.h>
 #include <lumbricus/program/diagnosis.h>
@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <optional>
 #include <sstream>
+
+#include "load_path.h"
 
 namespace lumbricus
 {

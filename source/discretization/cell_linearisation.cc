@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/cell_linearisation.h>
 #include <lumbricus/discretization/cell_sizes.h>
-#include <lumbricus/discretization/dgemm.h>
-#include <lumbricus/discretization/node_sums.h>
 
 #include <algorithm>
+
+#include "dgemm.h"
+#include "node_sums.h"
 
 namespace lumbricus
 {

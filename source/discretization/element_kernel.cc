@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/element_kernel.h>
-#include <lumbricus/discretization/node_sums.h>
 
 #include <algorithm>
 #include <cstring>
 #include <limits>
+
+#include "node_sums.h"
 
 namespace lumbricus
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "cylindrical_frame.h"
+
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/fibres/cylindrical_frame.h>
 #include <lumbricus/parameters/expression.h>
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/fibres/cylindrical_frame.h>
 #include <lumbricus/fibres/fibre_field.h>
 #include <lumbricus/parameters/expression.h>
 #include <lumbricus/parameters/registry.h>
@@ -8,6 +7,8 @@
 
 #include <cmath>
 #include <vector>
+
+#include "cylindrical_frame.h"
 
 namespace lumbricus
 {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/fibres/cylindrical_frame.h>
 #include <lumbricus/fibres/fibre_field.h>
 #include <lumbricus/parameters/registry.h>
 
@@ -7,6 +6,8 @@
 #include <deal.II/base/patterns.h>
 
 #include <cmath>
+
+#include "cylindrical_frame.h"
 
 namespace lumbricus
 {

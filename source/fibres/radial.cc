@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/fibres/cylindrical_frame.h>
 #include <lumbricus/fibres/fibre_field.h>
 #include <lumbricus/parameters/registry.h>
+
+#include "cylindrical_frame.h"
 
 namespace lumbricus
 {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/geometry/block_patch.h>
-#include <lumbricus/geometry/coarse_cells.h>
 #include <lumbricus/geometry/geometry.h>
 #include <lumbricus/parameters/named_sections.h>
 #include <lumbricus/parameters/patterns.h>
@@ -11,6 +9,9 @@
 #include <deal.II/grid/grid_generator.h>
 
 #include <algorithm>
+
+#include "block_patch.h"
+#include "coarse_cells.h"
 
 namespace lumbricus
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "block_patch.h"
+
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/geometry/block_patch.h>
 
 #include <deal.II/base/patterns.h>
 

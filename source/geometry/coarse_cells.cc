@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "coarse_cells.h"
+
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/geometry/coarse_cells.h>
 
 #include <sstream>
 

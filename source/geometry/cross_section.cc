@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/geometry/cross_section.h>
+
+#include "cross_section.h"
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/numbers.h>

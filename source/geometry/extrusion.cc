@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/geometry/extrusion.h>
-#include <lumbricus/geometry/round_axis.h>
+
+#include "extrusion.h"
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria_description.h>
+
+#include "round_axis.h"
 
 namespace lumbricus
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/geometry/mesh_checks.h>
-#include <lumbricus/geometry/mesh_faces.h>
-#include <lumbricus/geometry/touching_parts.h>
+#include "mesh_checks.h"
+
 #include <lumbricus/parameters/expression.h>
 
 #include <deal.II/base/tensor.h>
@@ -11,6 +10,9 @@
 #include <numeric>
 #include <set>
 #include <utility>
+
+#include "mesh_faces.h"
+#include "touching_parts.h"
 
 namespace lumbricus
 {

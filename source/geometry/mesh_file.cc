@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/geometry/named_mesh.h>
-#include <lumbricus/geometry/round_axis.h>
 #include <lumbricus/parameters/expression.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/parameters/registry.h>
@@ -15,6 +13,9 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+
+#include "named_mesh.h"
+#include "round_axis.h"
 
 namespace lumbricus
 {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/geometry/mesh_faces.h>
-#include <lumbricus/geometry/mesh_measures.h>
+#include "mesh_measures.h"
 
 #include <cmath>
 #include <limits>
 #include <set>
 #include <tuple>
+
+#include "mesh_faces.h"
 
 namespace lumbricus
 {

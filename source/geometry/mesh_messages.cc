@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh_messages.h"
+
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/geometry/mesh_messages.h>
 
 namespace lumbricus
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/geometry/msh_elements.h>
+
+#include "msh_elements.h"
 
 #include <vector>
 

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/geometry/msh_elements.h>
-#include <lumbricus/geometry/msh_file.h>
-#include <lumbricus/geometry/msh_lines.h>
-#include <lumbricus/geometry/msh_nodes.h>
+#include "msh_file.h"
 
 #include <deal.II/base/types.h>
 #include <deal.II/base/utilities.h>
@@ -14,6 +11,10 @@
 #include <map>
 #include <unordered_map>
 #include <utility>
+
+#include "msh_elements.h"
+#include "msh_lines.h"
+#include "msh_nodes.h"
 
 namespace lumbricus
 {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "msh_lines.h"
+
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/number_in_text.h>
 #include <lumbricus/core/readable_file.h>
 #include <lumbricus/core/text_lines.h>
-#include <lumbricus/geometry/msh_lines.h>
 
 #include <deal.II/base/utilities.h>
 

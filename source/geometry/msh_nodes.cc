@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/geometry/msh_nodes.h>
+#include "msh_nodes.h"
 
 namespace lumbricus
 {

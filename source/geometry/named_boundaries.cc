@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/geometry/named_boundaries.h>
-#include <lumbricus/geometry/round_axis.h>
+#include "named_boundaries.h"
+
 #include <lumbricus/parameters/expression.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+
+#include "round_axis.h"
 
 namespace lumbricus
 {

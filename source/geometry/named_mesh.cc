@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "named_mesh.h"
+
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/names.h>
 #include <lumbricus/core/user_text.h>
-#include <lumbricus/geometry/mesh_checks.h>
-#include <lumbricus/geometry/mesh_measures.h>
-#include <lumbricus/geometry/msh_file.h>
-#include <lumbricus/geometry/named_boundaries.h>
-#include <lumbricus/geometry/named_mesh.h>
 #include <lumbricus/parameters/expression.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -14,6 +11,11 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <tuple>
+
+#include "mesh_checks.h"
+#include "mesh_measures.h"
+#include "msh_file.h"
+#include "named_boundaries.h"
 
 namespace lumbricus
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/geometry/nearness.h>
+
+#include "nearness.h"
 
 #include <deal.II/base/tensor.h>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/geometry/coarse_cells.h>
-#include <lumbricus/geometry/extrusion.h>
-#include <lumbricus/geometry/round_section.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/parameters/registry.h>
+
+#include "coarse_cells.h"
+#include "extrusion.h"
+#include "round_section.h"
 
 namespace lumbricus
 {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "round_axis.h"
+
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/number_in_text.h>
-#include <lumbricus/geometry/round_axis.h>
 
 #include <deal.II/base/utilities.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "round_section.h"
+
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/geometry/round_section.h>
 #include <lumbricus/parameters/patterns.h>
 
 #include <deal.II/base/patterns.h>

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/geometry/coarse_cells.h>
-#include <lumbricus/geometry/extrusion.h>
-#include <lumbricus/geometry/round_section.h>
-#include <lumbricus/geometry/segment_measures.h>
-#include <lumbricus/geometry/segment_ranges.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/parameters/registry.h>
 
 #include <algorithm>
 #include <map>
+
+#include "coarse_cells.h"
+#include "extrusion.h"
+#include "round_section.h"
+#include "segment_measures.h"
+#include "segment_ranges.h"
 
 namespace lumbricus
 {

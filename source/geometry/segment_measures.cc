@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/geometry/segment_measures.h>
+#include "segment_measures.h"
+
 #include <lumbricus/parameters/patterns.h>
 
 namespace lumbricus

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/geometry/mesh_faces.h>
-#include <lumbricus/geometry/nearness.h>
-#include <lumbricus/geometry/touching_parts.h>
+#include "touching_parts.h"
+
 #include <lumbricus/parameters/expression.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -14,6 +13,9 @@
 #include <limits>
 #include <map>
 #include <utility>
+
+#include "mesh_faces.h"
+#include "nearness.h"
 
 namespace lumbricus
 {

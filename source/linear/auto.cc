@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/available_memory.h>
-#include <lumbricus/linear/condensed_factor.h>
-#include <lumbricus/linear/factor_kinds.h>
 #include <lumbricus/linear/kept_preconditioner.h>
 #include <lumbricus/multigrid/v_cycle.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/parameters/registry.h>
 
 #include <sstream>
+
+#include "condensed_factor.h"
+#include "factor_kinds.h"
 
 namespace lumbricus
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/linear/condensed_factor.h>
+
+#include "condensed_factor.h"
 
 #include <deal.II/lac/full_matrix.h>
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/linear/condensed_factor.h>
-#include <lumbricus/linear/factor_kinds.h>
+#include "factor_kinds.h"
+
 #include <lumbricus/linear/full_factor.h>
+
+#include "condensed_factor.h"
 
 namespace lumbricus
 {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/linear/factor_kinds.h>
 #include <lumbricus/linear/kept_preconditioner.h>
 #include <lumbricus/parameters/registry.h>
+
+#include "factor_kinds.h"
 
 namespace lumbricus
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "cell_lineage.h"
+
 #include <lumbricus/discretization/same_cell.h>
-#include <lumbricus/multigrid/cell_lineage.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_tools.h>

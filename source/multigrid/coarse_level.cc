@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "coarse_level.h"
+
 #include <lumbricus/constraints/local_constraints.h>
 #include <lumbricus/discretization/cell_sizes.h>
-#include <lumbricus/multigrid/coarse_level.h>
 
 #include <deal.II/base/config.h>
 #include <deal.II/base/exceptions.h>

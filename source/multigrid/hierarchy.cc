@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/multigrid/coarse_level.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
+
+#include "coarse_level.h"
 
 namespace lumbricus
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/output/nearest_point.h>
+
+#include "nearest_point.h"
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>

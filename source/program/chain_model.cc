@@ -2,7 +2,8 @@
 #include <lumbricus/adaptivity/cell_cost.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/program/chain_model.h>
-#include <lumbricus/program/load_balance.h>
+
+#include "load_balance.h"
 
 namespace lumbricus
 {

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "chain_problem.h"
+
 #include <lumbricus/anatomy/stiffness_ratio.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/core/out_of_memory.h>
-#include <lumbricus/program/chain_problem.h>
-#include <lumbricus/program/mesh_adaptation.h>
-#include <lumbricus/program/run_log.h>
 
 #include <algorithm>
 #include <iostream>
 #include <sstream>
+
+#include "mesh_adaptation.h"
+#include "run_log.h"
 
 namespace lumbricus
 {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "load_balance.h"
+
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/parameters/expression.h>
-#include <lumbricus/program/load_balance.h>
 
 #include <deal.II/fe/fe_values.h>
 

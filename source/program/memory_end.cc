@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "memory_end.h"
+
 #include <lumbricus/core/out_of_memory.h>
-#include <lumbricus/program/memory_end.h>
 #include <lumbricus/program/run.h>
 
 #include <deal.II/lac/full_matrix.h>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh_adaptation.h"
+
 #include <lumbricus/adaptivity/mesh_record.h>
 #include <lumbricus/adaptivity/state_transfer.h>
 #include <lumbricus/core/exceptions.h>
@@ -6,7 +8,6 @@
 #include <lumbricus/core/out_of_memory.h>
 #include <lumbricus/discretization/state_record.h>
 #include <lumbricus/measures/rest_volume.h>
-#include <lumbricus/program/mesh_adaptation.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,6 @@
 #include <lumbricus/parameters/parameter_file.h>
 #include <lumbricus/parameters/prm_scanner.h>
 #include <lumbricus/program/blas.h>
-#include <lumbricus/program/chain_problem.h>
-#include <lumbricus/program/memory_end.h>
 #include <lumbricus/program/run.h>
 #include <lumbricus/program/shared_libraries.h>
 
@@ -26,6 +24,9 @@
 #include <string>
 #include <system_error>
 #include <vector>
+
+#include "chain_problem.h"
+#include "memory_end.h"
 
 namespace lumbricus
 {

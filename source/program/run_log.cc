@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/program/run_log.h>
+
+#include "run_log.h"
 
 #include <algorithm>
 #include <iomanip>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/program/load_balance.h>
 #include <lumbricus/program/run_watch.h>
 
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
+
+#include "load_balance.h"
 
 namespace lumbricus
 {

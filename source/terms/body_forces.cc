@@ -2,11 +2,12 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/terms/body_forces.h>
-#include <lumbricus/terms/tried_expressions.h>
 
 #include <algorithm>
 #include <map>
 #include <utility>
+
+#include "tried_expressions.h"
 
 namespace lumbricus
 {

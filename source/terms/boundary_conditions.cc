@@ -2,7 +2,6 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/terms/boundary_conditions.h>
-#include <lumbricus/terms/tried_expressions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,8 @@
 #include <set>
 #include <sstream>
 #include <utility>
+
+#include "tried_expressions.h"
 
 namespace lumbricus
 {

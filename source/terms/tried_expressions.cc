@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/terms/tried_expressions.h>
+
+#include "tried_expressions.h"
 
 #include <cmath>
 #include <sstream>

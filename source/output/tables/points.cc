@@ -3,7 +3,6 @@
 #include <lumbricus/core/number_in_text.h>
 #include <lumbricus/core/user_text.h>
 #include <lumbricus/discretization/same_cell.h>
-#include <lumbricus/output/nearest_point.h>
 #include <lumbricus/output/table.h>
 #include <lumbricus/parameters/expression.h>
 #include <lumbricus/parameters/registry.h>
@@ -16,6 +15,8 @@
 #include <deal.II/fe/mapping.h>
 
 #include <sstream>
+
+#include "../nearest_point.h"
 
 namespace lumbricus
 {

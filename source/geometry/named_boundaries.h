@@ -2,9 +2,9 @@
 #ifndef lumbricus_geometry_named_boundaries_h
 #define lumbricus_geometry_named_boundaries_h
 
-#include <lumbricus/geometry/mesh_messages.h>
-#include <lumbricus/geometry/msh_file.h>
-#include <lumbricus/geometry/named_mesh.h>
+#include "mesh_messages.h"
+#include "msh_file.h"
+#include "named_mesh.h"
 
 namespace lumbricus
 {

@@ -2,11 +2,12 @@
 #ifndef lumbricus_multigrid_coarse_level_h
 #define lumbricus_multigrid_coarse_level_h
 
-#include <lumbricus/multigrid/cell_lineage.h>
 #include <lumbricus/multigrid/hierarchy.h>
 
 #include <map>
 #include <vector>
+
+#include "cell_lineage.h"
 
 namespace lumbricus
 {

@@ -2,13 +2,14 @@
 #ifndef lumbricus_geometry_round_section_h
 #define lumbricus_geometry_round_section_h
 
-#include <lumbricus/geometry/cross_section.h>
-#include <lumbricus/geometry/extrusion.h>
 #include <lumbricus/geometry/geometry.h>
 #include <lumbricus/parameters/parameter_owner.h>
 
 #include <string>
 #include <vector>
+
+#include "cross_section.h"
+#include "extrusion.h"
 
 namespace lumbricus
 {

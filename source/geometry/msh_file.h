@@ -2,14 +2,14 @@
 #ifndef lumbricus_geometry_msh_file_h
 #define lumbricus_geometry_msh_file_h
 
-#include <lumbricus/geometry/mesh_faces.h>
-
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria_description.h>
 
 #include <map>
 #include <string>
 #include <vector>
+
+#include "mesh_faces.h"
 
 namespace lumbricus
 {

@@ -2,11 +2,12 @@
 #ifndef lumbricus_geometry_extrusion_h
 #define lumbricus_geometry_extrusion_h
 
-#include <lumbricus/geometry/cross_section.h>
 #include <lumbricus/geometry/geometry.h>
 
 #include <functional>
 #include <vector>
+
+#include "cross_section.h"
 
 namespace lumbricus
 {

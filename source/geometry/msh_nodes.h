@@ -3,13 +3,14 @@
 #define lumbricus_geometry_msh_nodes_h
 
 #include <lumbricus/core/dimension.h>
-#include <lumbricus/geometry/msh_lines.h>
 
 #include <deal.II/base/point.h>
 
 #include <string>
 #include <unordered_map>
 #include <vector>
+
+#include "msh_lines.h"
 
 namespace lumbricus
 {

@@ -3,12 +3,13 @@
 #define lumbricus_geometry_named_mesh_h
 
 #include <lumbricus/geometry/geometry.h>
-#include <lumbricus/geometry/mesh_faces.h>
 
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "mesh_faces.h"
 
 namespace lumbricus
 {
