@@ -113,6 +113,7 @@ namespace lumbricus
                                                     hanging_nodes);
     hanging_nodes.close();
     space.reinit_vector(moved);
+    moved.update_ghost_values();
     find_pairs();
     update_normals(space.initial_state().solution);
     merge_surfaces();

@@ -20,7 +20,9 @@ namespace lumbricus
   void
   Border::append(const Border &other)
   {
-    if (corner.m() + other.corner.m() > 0)
+    if (corner.empty())
+      corner = other.corner;
+    else if (!other.corner.empty())
       {
         // Neither hangs on the unknowns of the other.
         dealii::FullMatrix<double> both(corner.m() + other.corner.m());
