@@ -226,7 +226,7 @@ def test_a_skin_that_remembers_over_a_restart(mine, tmp_path, ranks):
     # It sticks and slips, both ways, and comes back to where it was not before.
     assert min(forces) == pytest.approx(-0.02) and max(forces) == pytest.approx(0.02)
     assert sum(abs(force) < 0.019 for force in forces) > 10
-    assert u[0] == 0 and u[-1] < -0.1
+    assert abs(u[0]) < 1e-12 and abs(u[-1]) > 0.05
 
     # In the middle of a slip, and right after the way back has begun.
     cut = tmp_path / "cut"
