@@ -420,8 +420,9 @@ namespace lumbricus
 
 
   void
-  Checkpoint::check_histories(const std::set<std::string> &wanted) const
+  Checkpoint::check_outline(const StateOutline &expected) const
   {
+    const std::set<std::string> &wanted = expected.histories;
     const std::string advice =
       " At a restart a boundary condition that remembers cannot be added, "
       "removed or renamed: start the run from its parameter file.";
@@ -435,15 +436,29 @@ namespace lumbricus
                   ExcInput("The checkpoint '" + folder_path +
                            "' has the history '" + name +
                            "', which this run does not have." + advice));
+
+    const auto is_like = [](const auto &one, const auto &other) {
+      return one.first == other.first &&
+             one.second.size() == other.second.size();
+    };
+    AssertThrow(std::equal(run_progress.globals.begin(),
+                           run_progress.globals.end(),
+                           expected.globals.begin(),
+                           expected.globals.end(),
+                           is_like),
+                ExcInput("The checkpoint '" + folder_path +
+                         "' has other global unknowns than the body of its "
+                         "parameters. Start the run from its parameter "
+                         "file."));
   }
 
 
 
   State
-  Checkpoint::read_state(const MixedSpace            &space,
-                         const std::set<std::string> &histories) const
+  Checkpoint::read_state(const MixedSpace   &space,
+                         const StateOutline &expected) const
   {
-    check_histories(histories);
+    check_outline(expected);
     State state = space.zero_state({run_progress.time,
                                     run_progress.time,
                                     run_progress.past,

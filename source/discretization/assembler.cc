@@ -11,6 +11,43 @@ namespace lumbricus
   {
     using cell_sizes::n_nodes;
     using cell_sizes::n_per_cell;
+
+
+
+    // From the residual of a cell, what a force f per area or volume does at a
+    // point where the nodes have the values N_n and which has the weight w.
+    void
+    subtract_force(const double                  w,
+                   const double                 *N,
+                   const dealii::Tensor<1, dim> &f,
+                   double                       *residual)
+    {
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        for (unsigned int c = 0; c < dim; ++c)
+          residual[CellUnknowns::displacement(c, n)] -= w * N[n] * f[c];
+    }
+
+
+
+    // From the matrix of a cell, what that hangs on the displacements:
+    // df(c, k, m) is the derivative of f_c by component k at node m.
+    template <typename Derivative>
+    void
+    subtract_derivative(const double         w,
+                        const double        *N,
+                        const Derivative    &df,
+                        std::vector<double> &matrix)
+    {
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int k = 0; k < dim; ++k)
+          for (unsigned int m = 0; m < n_nodes; ++m)
+            {
+              const double value = df(c, k, m);
+              for (unsigned int n = 0; n < n_nodes; ++n)
+                matrix[CellUnknowns::displacement(c, n) * n_per_cell +
+                       CellUnknowns::displacement(k, m)] -= w * N[n] * value;
+            }
+    }
   } // namespace
 
 
@@ -184,30 +221,26 @@ namespace lumbricus
                                const bool       with_tangent,
                                double          *residual)
   {
-    const auto add = [&](const unsigned int /*condition*/,
-                         const SurfaceResponse &response) {
-      const SurfaceKernel &point = terms.point();
-      const double         w     = point.JxW;
-      for (unsigned int n = 0; n < n_nodes; ++n)
-        for (unsigned int c = 0; c < dim; ++c)
-          residual[CellUnknowns::displacement(c, n)] -=
-            w * point.values[n] * response.T[c];
-      if (!with_tangent || !response.depends_on_shape())
-        return;
-      auto &matrix = linearisation.surface_matrix(cell.index);
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int k = 0; k < dim; ++k)
-          for (unsigned int m = 0; m < n_nodes; ++m)
-            {
-              const double dT = response.dT_du[c][k] * point.values[m] +
-                                response.dT_dF[c][k] * point.gradients[m];
-              for (unsigned int n = 0; n < n_nodes; ++n)
-                matrix[CellUnknowns::displacement(c, n) * n_per_cell +
-                       CellUnknowns::displacement(k, m)] -=
-                  w * point.values[n] * dT;
-            }
-    };
-    terms.visit(cell, kernel->u, t, add);
+    terms.visit(cell,
+                kernel->u,
+                t,
+                [&](const unsigned int /*condition*/,
+                    const SurfaceResponse &response) {
+                  const SurfaceKernel &point = terms.point();
+                  subtract_force(point.JxW, point.values, response.T, residual);
+                  if (!with_tangent || !response.depends_on_shape())
+                    return;
+                  subtract_derivative(
+                    point.JxW,
+                    point.values,
+                    [&](const unsigned int c,
+                        const unsigned int k,
+                        const unsigned int m) {
+                      return response.dT_du[c][k] * point.values[m] +
+                             response.dT_dF[c][k] * point.gradients[m];
+                    },
+                    linearisation.surface_matrix(cell.index));
+                });
   }
 
 
@@ -225,21 +258,16 @@ namespace lumbricus
       [&](const unsigned int /*force*/,
           const VolumeTerms::Point &point,
           const VolumeResponse     &response) {
-        for (unsigned int n = 0; n < n_nodes; ++n)
-          for (unsigned int c = 0; c < dim; ++c)
-            residual[CellUnknowns::displacement(c, n)] -=
-              point.JxW * point.values[n] * response.b[c];
+        subtract_force(point.JxW, point.values, response.b, residual);
         if (!with_tangent || !response.depends_on_place())
           return;
-        auto &matrix = linearisation.surface_matrix(cell.index);
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int k = 0; k < dim; ++k)
-            for (unsigned int m = 0; m < n_nodes; ++m)
-              for (unsigned int n = 0; n < n_nodes; ++n)
-                matrix[CellUnknowns::displacement(c, n) * n_per_cell +
-                       CellUnknowns::displacement(k, m)] -=
-                  point.JxW * point.values[n] * point.values[m] *
-                  response.db_du[c][k];
+        subtract_derivative(
+          point.JxW,
+          point.values,
+          [&](const unsigned int c, const unsigned int k, const unsigned int m) {
+            return response.db_du[c][k] * point.values[m];
+          },
+          linearisation.surface_matrix(cell.index));
       });
   }
 

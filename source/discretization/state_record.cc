@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/state_record.h>
 
-
 #include <algorithm>
 #include <cmath>
 #include <istream>

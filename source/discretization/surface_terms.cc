@@ -38,14 +38,6 @@ namespace lumbricus
 
 
   void
-  SurfaceTerms::reinit()
-  {
-    memories.clear();
-  }
-
-
-
-  void
   SurfaceTerms::set_to(const State &state)
   {
     const MixedSpace &space = body.space;
@@ -166,9 +158,13 @@ namespace lumbricus
             for (unsigned int q = 0; q < current->n_points(); ++q)
               {
                 current->set(q, u);
-                SurfacePoint at{
-                  current->X, current->N, current->u, current->F, t, 0., {}};
-                at.dt = std::max(t.to() - last_time, 0.);
+                SurfacePoint at{current->X,
+                                current->N,
+                                current->u,
+                                current->F,
+                                t,
+                                std::max(t.to() - last_time, 0.),
+                                {}};
                 if (memory != nullptr)
                   at.history = (*memory)[node_of(*current)];
                 SurfaceResponse response;

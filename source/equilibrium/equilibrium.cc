@@ -16,15 +16,6 @@ namespace lumbricus
     // expected.
     constexpr double certain = 2.;
 
-
-
-    template <typename VectorType>
-    dealii::ArrayView<double>
-    owned_entries(VectorType &v)
-    {
-      const std::size_t n = v.end() - v.begin();
-      return {n > 0 ? &*v.begin() : nullptr, n};
-    }
   } // namespace
 
 
@@ -180,7 +171,7 @@ namespace lumbricus
     dealii::TimerOutput::Scope scope(timer, "residual");
     follow(x.solution);
     const auto   report = assembler.residual(x.solution, time, r);
-    const Border rows   = border_at(x, false, owned_entries(r));
+    const Border rows   = border_at(x, false, r);
 
     double force = 0., volume = 0.;
     for (unsigned int i = 0; i < component.size(); ++i)
@@ -221,7 +212,7 @@ namespace lumbricus
       return;
     rhs = assembler.right_hand_side();
     rhs *= -1.;
-    border = border_at(x, true, owned_entries(rhs));
+    border = border_at(x, true, rhs);
     rhs *= -1.;
   }
 
@@ -250,14 +241,14 @@ namespace lumbricus
 
 
   Border
-  Equilibrium::border_at(const Unknowns           &x,
-                         const bool                with_derivatives,
-                         dealii::ArrayView<double> entries) const
+  Equilibrium::border_at(const Unknowns &x,
+                         const bool      with_derivatives,
+                         Vector         &residual) const
   {
     Border all;
     for (BorderSource *source : sources)
       all.append(source->border(
-        x.solution, x.globals, time, with_derivatives, entries));
+        x.solution, x.globals, time, with_derivatives, residual));
     return all;
   }
 
@@ -320,7 +311,7 @@ namespace lumbricus
   {
     const MixedSpace  &space  = body.space;
     const auto         report = assembler.residual(x.solution, time, r);
-    border_at(x, false, owned_entries(r));
+    border_at(x, false, r);
     std::ostringstream where;
     if (!report.valid())
       {

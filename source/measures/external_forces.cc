@@ -163,33 +163,38 @@ namespace lumbricus
               for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
                 of_cell(space.displacement_dof[c][n]) = kernel.force[c][n];
           }
+        const auto pull = [&](ExternalForce                &entry,
+                              const dealii::Point<dim>     &x,
+                              const dealii::Tensor<1, dim> &f,
+                              const double                 *N) {
+          entry.add(x, f);
+          for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+              of_cell(space.displacement_dof[c][n]) -= N[n] * f[c];
+        };
         terms.visit(
           cell,
           kernel.u,
           t,
           [&](const unsigned int condition, const SurfaceResponse &response) {
             const SurfaceKernel &point = terms.point();
-            const auto           f     = point.JxW * response.T;
-            all[condition].add(point.X + point.u, f);
-            for (unsigned int c = 0; c < dim; ++c)
-              for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-                of_cell(space.displacement_dof[c][n]) -= point.values[n] * f[c];
+            pull(all[condition],
+                 point.X + point.u,
+                 point.JxW * response.T,
+                 point.values);
           });
         if (is_pulled)
-          volume_terms.visit(
-            cell,
-            kernel.u,
-            t,
-            [&](const unsigned int        force,
-                const VolumeTerms::Point &point,
-                const VolumeResponse     &response) {
-              const auto f = point.JxW * response.b;
-              all[first_body_force + force].add(point.x, f);
-              for (unsigned int c = 0; c < dim; ++c)
-                for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-                  of_cell(space.displacement_dof[c][n]) -=
-                    point.values[n] * f[c];
-            });
+          volume_terms.visit(cell,
+                             kernel.u,
+                             t,
+                             [&](const unsigned int        force,
+                                 const VolumeTerms::Point &point,
+                                 const VolumeResponse     &response) {
+                               pull(all[first_body_force + force],
+                                    point.x,
+                                    point.JxW * response.b,
+                                    point.values);
+                             });
         if (supported)
           links.distribute_local_to_global(of_cell, indices, nodal);
       }

@@ -87,7 +87,6 @@ namespace lumbricus
     shapes.reinit();
     references.reinit();
     supports.reinit();
-    surface_terms.reinit();
     equilibrium.reinit();
   }
 
@@ -137,8 +136,7 @@ namespace lumbricus
   {
     references.update(state, t);
     surface_terms.set_to(state);
-    parameters.boundary_conditions.try_expressions(triangulation, {t.to()});
-    parameters.body_forces.try_expressions(triangulation, {t.to()});
+    parameters.try_loads(triangulation, {t.to()});
     equilibrium.set_time(t, guess);
     const Vector start  = state.solution;
     const auto   report = parameters.reset_iteration.solve(

@@ -6,7 +6,6 @@
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/core/out_of_memory.h>
 
-#include <algorithm>
 #include <iostream>
 #include <sstream>
 
@@ -15,31 +14,6 @@
 
 namespace lumbricus
 {
-  namespace
-  {
-    // Throw ExcInput where a checkpoint has other global unknowns than the body.
-    void
-    check_globals(const Checkpoint &checkpoint, const Globals &of_body)
-    {
-      const auto is_like = [](const auto &one, const auto &other) {
-        return one.first == other.first &&
-               one.second.size() == other.second.size();
-      };
-      const Globals &found = checkpoint.progress().globals;
-      AssertThrow(std::equal(found.begin(),
-                             found.end(),
-                             of_body.begin(),
-                             of_body.end(),
-                             is_like),
-                  ExcInput("The checkpoint '" + checkpoint.path() +
-                           "' has other global unknowns than the body of its "
-                           "parameters. Start the run from its parameter "
-                           "file."));
-    }
-  } // namespace
-
-
-
   ChainProblem::ChainProblem(RunParameters &parameters,
                              Log           &log,
                              const MPI_Comm comm)
@@ -90,9 +64,8 @@ namespace lumbricus
   {
     if (checkpoint != nullptr)
       {
-        const StateOutline at_rest = model.rest_state().outline();
-        first_state = checkpoint->read_state(model.space, at_rest.histories);
-        check_globals(*checkpoint, at_rest.globals);
+        first_state =
+          checkpoint->read_state(model.space, model.rest_state().outline());
         continue_path(*checkpoint);
         folder.continue_tables(checkpoint->progress().tables);
         so_far.step    = checkpoint->progress().step;

@@ -136,6 +136,16 @@ namespace lumbricus
   {
     const auto times = times_to_try();
     anatomy.try_activations(triangulation, times);
+    try_loads(triangulation, times);
+  }
+
+
+
+  void
+  RunParameters::try_loads(
+    const dealii::parallel::TriangulationBase<dim> &triangulation,
+    const std::vector<double>                      &times) const
+  {
     boundary_conditions.try_expressions(triangulation, times);
     body_forces.try_expressions(triangulation, times);
   }

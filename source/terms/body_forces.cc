@@ -148,6 +148,9 @@ namespace lumbricus
     const dealii::parallel::TriangulationBase<dim> &triangulation,
     const std::vector<double>                      &times) const
   {
+    if (forces.size() == 0)
+      return;
+
     std::string message;
     for (unsigned int i = 0; i < forces.size() && message.empty(); ++i)
       {

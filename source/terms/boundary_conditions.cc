@@ -199,6 +199,9 @@ namespace lumbricus
     const dealii::parallel::TriangulationBase<dim> &triangulation,
     const std::vector<double>                      &times) const
   {
+    if (conditions.size() == 0)
+      return;
+
     std::map<dealii::types::boundary_id, std::vector<dealii::Point<dim>>>
       centers;
     for (const auto &cell : triangulation.active_cell_iterators())

@@ -11,7 +11,6 @@
 #include <lumbricus/discretization/border.h>
 #include <lumbricus/linear/bordered_solver.h>
 
-#include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/fe/fe_values.h>
@@ -358,14 +357,15 @@ end
     }
 
     Border
-    border(const Vector             &solution,
-           const Globals            &globals,
-           const LoadTime           &t,
-           const bool                with_derivatives,
-           dealii::ArrayView<double> r) override
+    border(const Vector   &solution,
+           const Globals  &globals,
+           const LoadTime &t,
+           const bool      with_derivatives,
+           Vector         &r) override
     {
-      for (unsigned int i = 0; i < r.size(); ++i)
-        r[i] += globals.at("pull")[0] * force.local_element(i);
+      for (unsigned int i = 0; i < r.locally_owned_size(); ++i)
+        r.local_element(i) +=
+          globals.at("pull")[0] * force.local_element(i);
       Border border;
       border.names    = {{"pull", 1}};
       border.residual = {of(solution) - displacement * t.to()};
@@ -383,7 +383,7 @@ end
   private:
     const MPI_Comm comm;
     const double   displacement;
-    Vector     mean, force;
+    Vector         mean, force;
   };
 
 

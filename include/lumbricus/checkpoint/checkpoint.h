@@ -80,11 +80,11 @@ namespace lumbricus
     refine(ParallelMesh &triangulation) const;
 
     /** Read the state, on as many ranks as there are. Throws ExcInput where it
-     * is not that of this mesh, or does not have just these @p histories.
-     * Collective. */
+     * is not that of this mesh, or has other histories or global unknowns than
+     * @p expected. Collective. */
     State
-    read_state(const MixedSpace            &space,
-               const std::set<std::string> &histories) const;
+    read_state(const MixedSpace   &space,
+               const StateOutline &expected) const;
 
   private:
     /** The small files, which all ranks have. */
@@ -105,9 +105,10 @@ namespace lumbricus
       }
     };
 
-    /** Throw ExcInput where the state does not have just these histories. */
+    /** Throw ExcInput where the state has other histories or global unknowns
+     * than @p expected. */
     void
-    check_histories(const std::set<std::string> &wanted) const;
+    check_outline(const StateOutline &expected) const;
 
     /** Read and check all files of it. Throws ExcDamaged, ExcUnknownItem. */
     static Texts

@@ -6,7 +6,6 @@
 #include <lumbricus/core/state.h>
 #include <lumbricus/discretization/cell_unknowns.h>
 
-#include <deal.II/base/array_view.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <string>
@@ -84,11 +83,11 @@ namespace lumbricus
      * still prescribe of du is brought to the residual.
      */
     virtual Border
-    border(const Vector             &solution,
-           const Globals            &globals,
-           const LoadTime           &t,
-           const bool                with_derivatives,
-           dealii::ArrayView<double> r) = 0;
+    border(const Vector   &solution,
+           const Globals  &globals,
+           const LoadTime &t,
+           const bool      with_derivatives,
+           Vector         &r) = 0;
   };
 } // namespace lumbricus
 

@@ -31,12 +31,8 @@ namespace lumbricus
     /** Both are kept by reference. */
     SurfaceTerms(const Body &body, const BoundaryConditions &conditions);
 
-    /** After every change of the mesh: remember nothing. set_to() has to
-     * follow. */
-    void
-    reinit();
-
-    /** Remember what the skin does in @p state. */
+    /** Remember what the skin does in @p state: before visit(), and after every
+     * change of the mesh. */
     void
     set_to(const State &state);
 

@@ -96,11 +96,11 @@ namespace lumbricus
     reinit_solvers();
 
     /** The border that all sources make at @p x; what it adds to the residual
-     * of the owned unknowns is added to @p entries. */
+     * of the owned unknowns is added to @p residual. */
     Border
-    border_at(const Unknowns           &x,
-              const bool                with_derivatives,
-              dealii::ArrayView<double> entries) const;
+    border_at(const Unknowns &x,
+              const bool      with_derivatives,
+              Vector         &residual) const;
 
     /** Let the constraints be those at @p x, where they follow it. */
     void

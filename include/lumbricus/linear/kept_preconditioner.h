@@ -8,7 +8,6 @@
 
 #include <deal.II/base/types.h>
 
-
 namespace lumbricus
 {
   /**

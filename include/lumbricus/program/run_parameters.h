@@ -63,6 +63,12 @@ namespace lumbricus
     try_expressions(
       const dealii::parallel::TriangulationBase<dim> &triangulation) const;
 
+    /** Try those of loads and supports only, at @p times. Throws ExcInput.
+     * Collective. */
+    void
+    try_loads(const dealii::parallel::TriangulationBase<dim> &triangulation,
+              const std::vector<double>                      &times) const;
+
     /** Let load steps miss no change of what the muscles, loads and supports
      * on the mesh do over time. */
     void
