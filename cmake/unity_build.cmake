@@ -5,10 +5,17 @@
 # there twice. A file that cannot join gets SKIP_UNITY_BUILD_INCLUSION, with the
 # reason. (Units of half a folder were no faster: templates of deal.II are
 # compiled anew in each.)
+#
+# lumbricus_unity_build(<target> ALL): all of the target together, where it is
+# small.
 option(LUMBRICUS_UNITY "Compile the files of a folder together: less time for all, more for one" ON)
 
 function(lumbricus_unity_build target)
   if(NOT LUMBRICUS_UNITY)
+    return()
+  endif()
+  if("ALL" IN_LIST ARGN)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
     return()
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

@@ -7,14 +7,14 @@
 #include <cmath>
 
 #include "read_plugin.h"
+#include "sample_point.h"
 
 using namespace lumbricus;
+using lumbricus::sample_point::X;
 using dealii::Point;
 
 namespace
 {
-  const Point<3> X(0.1, 0.2, 0.3);
-
   // Amplitude 0.3, wavelength 5, period 2, duty 0.4.
   const std::string wave_text = "set Amplitude = 0.3\n"
                                 "set Wavelength = 5\n"

@@ -57,12 +57,6 @@ subsection Tissues
 end
 )";
 
-  const std::string slip = R"(
-subsection Interface
-  set Coupling = slip
-end
-)";
-
   // x = A X keeps the planes of symmetry, and all volumes.
   constexpr double stretch[dim] = {1.5, 1. / 1.2, 1. / 1.25};
 
@@ -149,140 +143,141 @@ end
   INSTANTIATE_TEST_SUITE_P(Couplings,
                            LiquidMeshes,
                            ::testing::Values("", slip.c_str()));
-} // namespace
 
 
 
-TEST(ScaledJacobian, IsOneForABoxAndTheSineOfAnAngle)
-{
-  EXPECT_NEAR(scaled_jacobian(cell_under([](const auto &X) {
-                return dealii::Point<dim>(3. * X[0], 0.01 * X[1], 7. * X[2]);
-              })),
-              1.,
-              1e-14);
-  const double angle = 0.6;
-  EXPECT_NEAR(scaled_jacobian(cell_under([&](const auto &X) {
-                return dealii::Point<dim>(X[0] + std::cos(angle) * X[1],
-                                          std::sin(angle) * X[1],
-                                          X[2]);
-              })),
-              std::sin(angle),
-              1e-14);
-}
-
-
-
-TEST(ScaledJacobian, SeesFoldsAtTheCornersOfCurvedCells)
-{
-  // A node in the middle of an edge may move a quarter of the edge, no more.
-  for (const double move : {0.24, 0.26})
-    {
-      const double least = scaled_jacobian(cell_under([&](const auto &X) {
-        return dealii::Point<dim>(X[0] + 4. * move * X[0] * (1. - X[0]),
-                                  X[1],
-                                  X[2]);
-      }));
-      EXPECT_EQ(least > 0., move < 0.25);
-    }
-  EXPECT_EQ(scaled_jacobian(
-              cell_under([](const auto &) { return dealii::Point<dim>(); })),
-            0.);
-}
-
-
-
-TEST_P(LiquidMeshes, AHomogeneousDeformationExtendsAsOne)
-{
-  Vector expected(model.space.locally_owned, body.comm);
-  displace(homogeneous, expected);
-  Vector distorted = expected;
-  distorted += noise_inside(0.05);
-  ASSERT_GT(distorted.l2_norm() - expected.l2_norm(), 1e-4);
-
-  const Vector correction =
-    harmonic_correction(model.body,
-                        model.assembler.tangent().unknowns,
-                        model.space.with_ghosts(distorted),
-                        {true, true});
-  for (unsigned int k = 0; k < correction.locally_owned_size(); ++k)
-    distorted.begin()[k] += correction.local_element(k);
-  model.supports.constraints().distribute(distorted);
-  distorted -= expected;
-  EXPECT_LT(distorted.linfty_norm(), 1e-9);
-}
-
-
-
-TEST_P(LiquidMeshes, RelaxingKeepsVolumePressureAndEquilibrium)
-{
-  Vector start(model.space.locally_owned, body.comm);
-  displace(homogeneous, start);
-  start += noise_inside(0.04);
-  // Pressures that are the same all over the liquid of a segment.
-  constexpr double p[2] = {-0.02, -0.05};
+  TEST(ScaledJacobian, IsOneForABoxAndTheSineOfAnAngle)
   {
-    State state    = body.state;
-    state.solution = start;
-    const State         before = state;
-    CellStateReader     reader(model.space, before);
-    CellStateWriter     writer(model.space, state);
-    std::vector<double> values;
-    for (const auto &cell : model.space.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const Region region = Region::of(cell->material_id());
-          reader.read(cell, values);
-          if (anatomy.is_liquid(region.tissue))
-            values[CellLayout::pressure_begin] = p[region.segment];
-          writer.write(cell, values);
-        }
-    body.state = state;
+    EXPECT_NEAR(scaled_jacobian(cell_under([](const auto &X) {
+                  return dealii::Point<dim>(3. * X[0], 0.01 * X[1], 7. * X[2]);
+                })),
+                1.,
+                1e-14);
+    const double angle = 0.6;
+    EXPECT_NEAR(scaled_jacobian(cell_under([&](const auto &X) {
+                  return dealii::Point<dim>(X[0] + std::cos(angle) * X[1],
+                                            std::sin(angle) * X[1],
+                                            X[2]);
+                })),
+                std::sin(angle),
+                1e-14);
   }
-  set_all(body.state.solution);
-  body.state.past.push_back({-1., start});
-  const State before = body.state;
-  const auto  volumes = rest_volumes(model.body, before);
-  const auto bad     = qualities(before.solution);
 
-  const auto relaxation = model.relax_liquid_mesh(body.state);
-  ASSERT_EQ(relaxation.in_segment, std::vector<bool>(2, true));
-  model.references.update(body.state);
-  const auto good = qualities(body.state.solution);
-  const auto kept = rest_volumes(model.body, body.state);
-  const auto segments =
-    segment_states(model.body,
-                   model.references,
-                   model.space.with_ghosts(body.state.solution));
-  for (unsigned int s = 0; s < 2; ++s)
-    {
-      EXPECT_GT(good[s].liquid, bad[s].liquid);
-      EXPECT_EQ(good[s].wall, bad[s].wall);
-      EXPECT_NEAR(kept[s] / volumes[s], 1., 1e-14);
-      EXPECT_NEAR(segments[s].mean_pressure(), -p[s], 1e-14);
-      EXPECT_LT(segments[s].divergence(1e-6), 1e-12);
-    }
 
-  // What is extrapolated moves with the nodes.
-  Vector change = body.state.solution;
-  change -= before.solution;
-  Vector change_before = body.state.past.front().solution;
-  change_before -= before.past.front().solution;
-  change_before -= change;
-  EXPECT_LT(change_before.linfty_norm(), 1e-15);
 
-  // No force on the nodes that have moved, and no volume amiss.
-  Vector r(model.space.locally_owned, body.comm);
-  ASSERT_TRUE(model.assembler.residual(body.state.solution, 0., r).valid());
-  const auto &constrained = model.assembler.tangent().unknowns.is_constrained();
-  unsigned int n_moved    = 0;
-  for (unsigned int k = 0; k < constrained.size(); ++k)
-    if (change.begin()[k] != 0. && !constrained[k])
+  TEST(ScaledJacobian, SeesFoldsAtTheCornersOfCurvedCells)
+  {
+    // A node in the middle of an edge may move a quarter of the edge, no more.
+    for (const double move : {0.24, 0.26})
       {
-        ++n_moved;
-        EXPECT_NEAR(r.begin()[k], 0., 1e-13);
+        const double least = scaled_jacobian(cell_under([&](const auto &X) {
+          return dealii::Point<dim>(X[0] + 4. * move * X[0] * (1. - X[0]),
+                                    X[1],
+                                    X[2]);
+        }));
+        EXPECT_EQ(least > 0., move < 0.25);
       }
-  EXPECT_GT(dealii::Utilities::MPI::sum(n_moved, body.comm), 10u);
+    EXPECT_EQ(scaled_jacobian(
+                cell_under([](const auto &) { return dealii::Point<dim>(); })),
+              0.);
+  }
 
-  // There is nothing left to relax.
-  EXPECT_TRUE(model.relax_liquid_mesh(body.state).in_segment.empty());
-}
+
+
+  TEST_P(LiquidMeshes, AHomogeneousDeformationExtendsAsOne)
+  {
+    Vector expected(model.space.locally_owned, body.comm);
+    displace(homogeneous, expected);
+    Vector distorted = expected;
+    distorted += noise_inside(0.05);
+    ASSERT_GT(distorted.l2_norm() - expected.l2_norm(), 1e-4);
+
+    const Vector correction =
+      harmonic_correction(model.body,
+                          model.assembler.tangent().unknowns,
+                          model.space.with_ghosts(distorted),
+                          {true, true});
+    for (unsigned int k = 0; k < correction.locally_owned_size(); ++k)
+      distorted.begin()[k] += correction.local_element(k);
+    model.supports.constraints().distribute(distorted);
+    distorted -= expected;
+    EXPECT_LT(distorted.linfty_norm(), 1e-9);
+  }
+
+
+
+  TEST_P(LiquidMeshes, RelaxingKeepsVolumePressureAndEquilibrium)
+  {
+    Vector start(model.space.locally_owned, body.comm);
+    displace(homogeneous, start);
+    start += noise_inside(0.04);
+    // Pressures that are the same all over the liquid of a segment.
+    constexpr double p[2] = {-0.02, -0.05};
+    {
+      State state    = body.state;
+      state.solution = start;
+      const State         before = state;
+      CellStateReader     reader(model.space, before);
+      CellStateWriter     writer(model.space, state);
+      std::vector<double> values;
+      for (const auto &cell : model.space.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const Region region = Region::of(cell->material_id());
+            reader.read(cell, values);
+            if (anatomy.is_liquid(region.tissue))
+              values[CellLayout::pressure_begin] = p[region.segment];
+            writer.write(cell, values);
+          }
+      body.state = state;
+    }
+    set_all(body.state.solution);
+    body.state.past.push_back({-1., start});
+    const State before = body.state;
+    const auto  volumes = rest_volumes(model.body, before);
+    const auto bad     = qualities(before.solution);
+
+    const auto relaxation = model.relax_liquid_mesh(body.state);
+    ASSERT_EQ(relaxation.in_segment, std::vector<bool>(2, true));
+    model.references.update(body.state);
+    const auto good = qualities(body.state.solution);
+    const auto kept = rest_volumes(model.body, body.state);
+    const auto segments =
+      segment_states(model.body,
+                     model.references,
+                     model.space.with_ghosts(body.state.solution));
+    for (unsigned int s = 0; s < 2; ++s)
+      {
+        EXPECT_GT(good[s].liquid, bad[s].liquid);
+        EXPECT_EQ(good[s].wall, bad[s].wall);
+        EXPECT_NEAR(kept[s] / volumes[s], 1., 1e-14);
+        EXPECT_NEAR(segments[s].mean_pressure(), -p[s], 1e-14);
+        EXPECT_LT(segments[s].divergence(1e-6), 1e-12);
+      }
+
+    // What is extrapolated moves with the nodes.
+    Vector change = body.state.solution;
+    change -= before.solution;
+    Vector change_before = body.state.past.front().solution;
+    change_before -= before.past.front().solution;
+    change_before -= change;
+    EXPECT_LT(change_before.linfty_norm(), 1e-15);
+
+    // No force on the nodes that have moved, and no volume amiss.
+    Vector r(model.space.locally_owned, body.comm);
+    ASSERT_TRUE(model.assembler.residual(body.state.solution, 0., r).valid());
+    const auto &constrained =
+      model.assembler.tangent().unknowns.is_constrained();
+    unsigned int n_moved    = 0;
+    for (unsigned int k = 0; k < constrained.size(); ++k)
+      if (change.begin()[k] != 0. && !constrained[k])
+        {
+          ++n_moved;
+          EXPECT_NEAR(r.begin()[k], 0., 1e-13);
+        }
+    EXPECT_GT(dealii::Utilities::MPI::sum(n_moved, body.comm), 10u);
+
+    // There is nothing left to relax.
+    EXPECT_TRUE(model.relax_liquid_mesh(body.state).in_segment.empty());
+  }
+} // namespace

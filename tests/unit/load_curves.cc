@@ -15,17 +15,16 @@
 #include <cmath>
 
 #include "read_plugin.h"
+#include "sample_point.h"
 #include "specimen.h"
 
 using namespace lumbricus;
-using dealii::Point;
+using lumbricus::sample_point::X;
 using dealii::numbers::PI;
 
 namespace
 {
   using Value = std::function<double(double)>;
-
-  const Point<3> X(0.1, 0.2, 0.3);
 
   LoadCurve
   curve(const Value &value, const double at_rest = 0.)

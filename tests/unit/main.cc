@@ -4,10 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include <iostream>
+
 int
 main(int argc, char **argv)
 {
   const lumbricus::MpiSession session(argv[0]);
   ::testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
+  const int failed = RUN_ALL_TESTS();
+  if (::testing::UnitTest::GetInstance()->test_to_run_count() == 0)
+    {
+      std::cerr << "No test has a name that was asked for." << std::endl;
+      return 1;
+    }
+  return failed;
 }

@@ -8,30 +8,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <initializer_list>
 
 #include "read_plugin.h"
+#include "sample_point.h"
 
 using namespace lumbricus;
+using namespace lumbricus::sample_point;
 using dealii::Tensor;
 
 namespace
 {
-  using Gradient = Tensor<2, dim>;
-
-  Gradient
-  gradient(const std::initializer_list<double> &entries)
-  {
-    Gradient F;
-    auto     entry = entries.begin();
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int J = 0; J < dim; ++J)
-        F[i][J] = *entry++;
-    return F;
-  }
-
-  const Gradient F_general =
-    gradient({1.3, 0.2, -0.1, 0.15, 0.8, 0.25, -0.3, 0.1, 1.1});
   const Gradient F_rest =
     gradient({0.9, -0.1, 0.2, 0.05, 1.2, 0.1, 0.15, -0.2, 1.05});
 
@@ -63,9 +49,6 @@ namespace
             rest_shape_map(F_rest, unit),
             rest_shape_map(F_rest, F_rest)};
   }
-
-  constexpr double p = 0.37;
-  constexpr double h = 1e-5;
 } // namespace
 
 

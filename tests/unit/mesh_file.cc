@@ -28,16 +28,16 @@ using namespace dealii;
 namespace
 {
   // A file of its own for every rank and test, removed at the end.
-  class File
+  class MshFile
   {
   public:
-    File()
+    MshFile()
       : name(std::string("mesh_file_test_") +
              ::testing::UnitTest::GetInstance()->current_test_info()->name() +
              "_" + std::to_string(getpid()) + ".msh")
     {}
 
-    ~File()
+    ~MshFile()
     {
       std::remove(name.c_str());
     }
@@ -124,9 +124,9 @@ namespace
 
 
 
-  const std::string two_segments = "set Number of segments = 2\n"
-                                   "set Cross-section = quarter\n"
-                                   "set Cells around a quarter = 2\n";
+  const std::string quarter_of_two = "set Number of segments = 2\n"
+                                     "set Cross-section = quarter\n"
+                                     "set Cells around a quarter = 2\n";
   const std::string choices_of_chain =
     "set Wall layers = longitudinal muscle, circular muscle\n"
     "set Round surfaces = skin, inner circles\n";
@@ -156,10 +156,10 @@ namespace
 
 TEST(MeshFile, IsTheChainItWasWrittenFrom)
 {
-  const auto chain = read_plugin<Geometry>("segment chain", two_segments);
+  const auto chain = read_plugin<Geometry>("segment chain", quarter_of_two);
   for (const std::string version : {"2.2", "4.1"})
     {
-      const File file;
+      const MshFile file;
       write_msh(file.name, version, *chain);
       const auto read = mesh_file(file.name, choices_of_chain);
       EXPECT_EQ(read->n_segments(), 2u);
@@ -186,8 +186,8 @@ TEST(MeshFile, IsTheChainItWasWrittenFrom)
 
 TEST(MeshFile, IsTheSameOnAParallelMesh)
 {
-  const auto chain = read_plugin<Geometry>("segment chain", two_segments);
-  const File file;
+  const auto chain = read_plugin<Geometry>("segment chain", quarter_of_two);
+  const MshFile file;
   write_msh(file.name, "4.1", *chain);
   const auto read = mesh_file(file.name, choices_of_chain);
   parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
@@ -207,7 +207,7 @@ TEST(MeshFile, IsWhatTheReaderOfDealIIMakesOfIt)
   groups.push_back({2, "head", {{0, 1, 3, 2}}});
   for (const std::string version : {"2.2", "4.1"})
     {
-      const File file;
+      const MshFile file;
       write_msh(file.name, version, nodes, groups);
 
       Triangulation<3> reference;
@@ -241,7 +241,7 @@ TEST(MeshFile, NamesAreTissuesAndSegments)
   std::vector<Point<3>> nodes;
   const auto            groups =
     cubes({"circular layer 1", "circular layer 2", "cap"}, nodes);
-  const File file;
+  const MshFile file;
   write_msh(file.name, "4.1", nodes, groups);
   const auto read = mesh_file(file.name,
                               "set Liquid tissues =\n"
@@ -266,8 +266,8 @@ TEST(MeshFile, NamesAreTissuesAndSegments)
 
 TEST(MeshFile, SectionsArePlanesOfTheMesh)
 {
-  const auto chain = read_plugin<Geometry>("segment chain", two_segments);
-  const File file;
+  const auto chain = read_plugin<Geometry>("segment chain", quarter_of_two);
+  const MshFile file;
   write_msh(file.name, "2.2", *chain);
   const auto sections = mesh_file(file.name, choices_of_chain)->sections();
   ASSERT_EQ(sections.size(), 2u);
@@ -287,7 +287,7 @@ TEST(MeshFile, SectionsOfABodyWithoutLiquidAreItsEndsAndAPlaneNearItsMiddle)
   // The middle of three cubes is no plane of the mesh.
   std::vector<Point<3>> nodes;
   const auto            groups = cubes({"wall", "wall", "wall"}, nodes);
-  const File            file;
+  const MshFile         file;
   write_msh(file.name, "2.2", nodes, groups);
   const auto sections =
     mesh_file(file.name, "set Liquid tissues =")->sections();
@@ -308,7 +308,7 @@ TEST(MeshFile, SupportPointsAreVerticesOfTheWall)
                               "set Cells around a quarter = 2\n"
                               "set Cross-section = " +
                                 part);
-      const File file;
+      const MshFile file;
       write_msh(file.name, "4.1", *chain);
       const auto read   = mesh_file(file.name, choices_of_chain);
       const auto points = read->support_points();
@@ -345,7 +345,7 @@ TEST(MeshFile, CellsThatAreOnlyTouchingAreAnError)
   for (unsigned int &v : element)
     v += 8;
   groups[0].elements.push_back(element);
-  const File file;
+  const MshFile file;
   write_msh(file.name, "4.1", nodes, groups);
   const std::string message =
     input_error([&]() { mesh_file(file.name, "set Liquid tissues ="); });
@@ -434,7 +434,7 @@ TEST(MeshFile, RoundSurfacesAreRoundAboutTheirAxis)
   const double area   = 2. * numbers::PI * 1.3 * 2.;
   for (const auto &tube : tubes)
     {
-      const File file;
+      const MshFile file;
       write_tube(file.name, tube.begin, tube.direction, 2.);
       const auto read = mesh_file(file.name,
                                   "set Liquid tissues =\n"
@@ -456,7 +456,7 @@ TEST(MeshFile, RoundSurfacesAreRoundAboutTheirAxis)
 
 TEST(MeshFile, SurfacesThatAreNotRoundAboutTheAxisAreAnError)
 {
-  const File file;
+  const MshFile file;
   write_tube(file.name, Point<3>(0., 0., 1.), Tensor<1, 3>({0., 0., 1.}), 2.);
   const std::string choices = "set Liquid tissues =\n"
                               "set Round surfaces = outside\n"
@@ -524,7 +524,7 @@ TEST(MeshFile, BallsAndConesAreRound)
               groups[0].elements.push_back(cell);
               groups[1].elements.push_back({cell.begin() + 4, cell.end()});
             }
-        const File file;
+        const MshFile file;
         write_msh(file.name, "2.2", nodes, groups);
         EXPECT_EQ(input_error([&]() {
                     mesh_file(file.name,
@@ -569,7 +569,7 @@ TEST(MeshFile, LargeMeshesAreCheckedFast)
                                       node(i + 1, j, k + 1),
                                       node(i + 1, j + 1, k + 1),
                                       node(i, j + 1, k + 1)});
-  const File file;
+  const MshFile file;
   write_msh(file.name, "2.2", nodes, groups);
   const std::clock_t begin = std::clock();
   EXPECT_EQ(input_error(

@@ -133,114 +133,117 @@ namespace
     dealii::AffineConstraints<double> constraints;
     VCycleParameters                  parameters;
   };
+
+
+
+  TEST_F(MultigridBlock, LevelsHaveTheUnknownsOfTheirMeshes)
+  {
+    make(true);
+    Hierarchy hierarchy;
+    hierarchy.reinit(space, unknowns, 0, VCycleParameters().thin);
+    ASSERT_EQ(hierarchy.n_levels(), 4u);
+    // Of 2 x 1 x 1 cells and their refinements.
+    EXPECT_EQ(hierarchy.level(0).n_unknowns, 3u * 5 * 3 * 3 + 4 * 2);
+    EXPECT_EQ(hierarchy.level(1).n_unknowns, 3u * 9 * 5 * 5 + 4 * 16);
+    EXPECT_EQ(hierarchy.level(3).n_unknowns, space.dof_handler.n_dofs());
+  }
+
+
+
+  TEST_F(MultigridBlock, ProlongationOfAQuadraticIsExact)
+  {
+    make(false);
+    const VCycle                                 v_cycle(tangent, parameters);
+    Vector                                       exact = zero(unknowns);
+    std::vector<dealii::types::global_dof_index> indices(
+      space.fe.n_dofs_per_cell());
+    for (const auto &cell : space.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(indices);
+          for (unsigned int c = 0; c < dim; ++c)
+            for (const unsigned int i : space.displacement_dof[c])
+              if (space.locally_owned.is_element(indices[i]))
+                {
+                  const auto X = space.mapping.transform_unit_to_real_cell(
+                    cell, space.fe.unit_support_point(i));
+                  exact(indices[i]) =
+                    (c + 1.) * X[0] * X[1] - X[2] * X[c] + X[1];
+                }
+        }
+    const auto &hierarchy = v_cycle.meshes();
+    Vector      x         = zero(*hierarchy.level(0).unknowns);
+    const auto  inject    = [&](const Level &level, Vector &on_level) {
+      on_level = zero(*level.unknowns);
+      for (unsigned int k = 0; k < level.on_finest.size(); ++k)
+        if (level.on_finest[k] != dealii::numbers::invalid_unsigned_int)
+          on_level.local_element(k) = exact.local_element(level.on_finest[k]);
+    };
+    inject(hierarchy.level(0), x);
+    for (unsigned int l = 0; l + 1 < hierarchy.n_levels(); ++l)
+      {
+        Vector fine = zero(*hierarchy.level(l + 1).unknowns);
+        v_cycle.prolongate_and_add(l, x, fine);
+        x = fine;
+      }
+    for (unsigned int k = 0; k < x.locally_owned_size(); ++k)
+      if (!unknowns.is_constrained()[k])
+        {
+          EXPECT_NEAR(x.local_element(k), exact.local_element(k), 1e-12);
+        }
+  }
+
+
+
+  TEST_F(MultigridBlock, RestrictionIsTheTransposeOfProlongation)
+  {
+    make(true);
+    const VCycle v_cycle(tangent, parameters);
+    for (unsigned int l = 0; l + 1 < v_cycle.meshes().n_levels(); ++l)
+      {
+        const CellUnknowns &below = *v_cycle.meshes().level(l).unknowns;
+        const CellUnknowns &above = *v_cycle.meshes().level(l + 1).unknowns;
+        const Vector        x = noise(below, 1.), y = noise(above, 2.);
+        Vector              Px = zero(above), PTy = zero(below);
+        v_cycle.prolongate_and_add(l, x, Px);
+        v_cycle.restrict_to(l, y, PTy);
+        EXPECT_NEAR(Px * y, x * PTy, 1e-11 * x.l2_norm() * y.l2_norm());
+      }
+  }
+
+
+
+  TEST_F(MultigridBlock, CoarseMatricesAreThoseOfTheProlongatedFunctions)
+  {
+    make(true);
+    VCycle v_cycle(tangent, parameters);
+    v_cycle.factor();
+    for (unsigned int l = 0; l + 1 < v_cycle.meshes().n_levels(); ++l)
+      {
+        Vector x  = noise(*v_cycle.meshes().level(l).unknowns, 3.);
+        Vector Px = zero(*v_cycle.meshes().level(l + 1).unknowns);
+        v_cycle.prolongate_and_add(l, x, Px);
+        const double coarse = energy(v_cycle, l, x);
+        EXPECT_NEAR(coarse,
+                    energy(v_cycle, l + 1, Px),
+                    1e-11 * std::abs(coarse));
+      }
+  }
+
+
+
+  TEST_F(MultigridBlock, SolvesAsTheDirectSolverDoes)
+  {
+    make(true);
+    const auto direct    = read_plugin<LinearSolver>("direct");
+    const auto multigrid = read_plugin<LinearSolver>(
+      "multigrid", "set Coarsest unknowns = 0\nset Most iterations = 40");
+    Vector b = noise(unknowns, 0.7), x = zero(unknowns), y = zero(unknowns);
+    direct->reinit(tangent);
+    direct->solve(x, b, 1e-9);
+    multigrid->reinit(tangent);
+    multigrid->solve(y, b, 1e-9);
+    y -= x;
+    EXPECT_LT(y.linfty_norm(), 1e-5 * x.linfty_norm());
+  }
 } // namespace
-
-
-
-TEST_F(MultigridBlock, LevelsHaveTheUnknownsOfTheirMeshes)
-{
-  make(true);
-  Hierarchy hierarchy;
-  hierarchy.reinit(space, unknowns, 0, VCycleParameters().thin);
-  ASSERT_EQ(hierarchy.n_levels(), 4u);
-  // Of 2 x 1 x 1 cells and their refinements.
-  EXPECT_EQ(hierarchy.level(0).n_unknowns, 3u * 5 * 3 * 3 + 4 * 2);
-  EXPECT_EQ(hierarchy.level(1).n_unknowns, 3u * 9 * 5 * 5 + 4 * 16);
-  EXPECT_EQ(hierarchy.level(3).n_unknowns, space.dof_handler.n_dofs());
-}
-
-
-
-TEST_F(MultigridBlock, ProlongationOfAQuadraticIsExact)
-{
-  make(false);
-  const VCycle                                 v_cycle(tangent, parameters);
-  Vector                                       exact = zero(unknowns);
-  std::vector<dealii::types::global_dof_index> indices(
-    space.fe.n_dofs_per_cell());
-  for (const auto &cell : space.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned())
-      {
-        cell->get_dof_indices(indices);
-        for (unsigned int c = 0; c < dim; ++c)
-          for (const unsigned int i : space.displacement_dof[c])
-            if (space.locally_owned.is_element(indices[i]))
-              {
-                const auto X = space.mapping.transform_unit_to_real_cell(
-                  cell, space.fe.unit_support_point(i));
-                exact(indices[i]) = (c + 1.) * X[0] * X[1] - X[2] * X[c] + X[1];
-              }
-      }
-  const auto &hierarchy = v_cycle.meshes();
-  Vector      x         = zero(*hierarchy.level(0).unknowns);
-  const auto  inject    = [&](const Level &level, Vector &on_level) {
-    on_level = zero(*level.unknowns);
-    for (unsigned int k = 0; k < level.on_finest.size(); ++k)
-      if (level.on_finest[k] != dealii::numbers::invalid_unsigned_int)
-        on_level.local_element(k) = exact.local_element(level.on_finest[k]);
-  };
-  inject(hierarchy.level(0), x);
-  for (unsigned int l = 0; l + 1 < hierarchy.n_levels(); ++l)
-    {
-      Vector fine = zero(*hierarchy.level(l + 1).unknowns);
-      v_cycle.prolongate_and_add(l, x, fine);
-      x = fine;
-    }
-  for (unsigned int k = 0; k < x.locally_owned_size(); ++k)
-    if (!unknowns.is_constrained()[k])
-      {
-        EXPECT_NEAR(x.local_element(k), exact.local_element(k), 1e-12);
-      }
-}
-
-
-
-TEST_F(MultigridBlock, RestrictionIsTheTransposeOfProlongation)
-{
-  make(true);
-  const VCycle v_cycle(tangent, parameters);
-  for (unsigned int l = 0; l + 1 < v_cycle.meshes().n_levels(); ++l)
-    {
-      const CellUnknowns &below = *v_cycle.meshes().level(l).unknowns;
-      const CellUnknowns &above = *v_cycle.meshes().level(l + 1).unknowns;
-      const Vector        x = noise(below, 1.), y = noise(above, 2.);
-      Vector              Px = zero(above), PTy = zero(below);
-      v_cycle.prolongate_and_add(l, x, Px);
-      v_cycle.restrict_to(l, y, PTy);
-      EXPECT_NEAR(Px * y, x * PTy, 1e-11 * x.l2_norm() * y.l2_norm());
-    }
-}
-
-
-
-TEST_F(MultigridBlock, CoarseMatricesAreThoseOfTheProlongatedFunctions)
-{
-  make(true);
-  VCycle v_cycle(tangent, parameters);
-  v_cycle.factor();
-  for (unsigned int l = 0; l + 1 < v_cycle.meshes().n_levels(); ++l)
-    {
-      Vector x  = noise(*v_cycle.meshes().level(l).unknowns, 3.);
-      Vector Px = zero(*v_cycle.meshes().level(l + 1).unknowns);
-      v_cycle.prolongate_and_add(l, x, Px);
-      const double coarse = energy(v_cycle, l, x);
-      EXPECT_NEAR(coarse, energy(v_cycle, l + 1, Px), 1e-11 * std::abs(coarse));
-    }
-}
-
-
-
-TEST_F(MultigridBlock, SolvesAsTheDirectSolverDoes)
-{
-  make(true);
-  const auto direct    = read_plugin<LinearSolver>("direct");
-  const auto multigrid = read_plugin<LinearSolver>(
-    "multigrid", "set Coarsest unknowns = 0\nset Most iterations = 40");
-  Vector b = noise(unknowns, 0.7), x = zero(unknowns), y = zero(unknowns);
-  direct->reinit(tangent);
-  direct->solve(x, b, 1e-9);
-  multigrid->reinit(tangent);
-  multigrid->solve(y, b, 1e-9);
-  y -= x;
-  EXPECT_LT(y.linfty_norm(), 1e-5 * x.linfty_norm());
-}

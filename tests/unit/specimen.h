@@ -15,6 +15,15 @@
 
 namespace lumbricus
 {
+  /** What lets liquid slip along the wall. */
+  const std::string slip = R"(
+subsection Interface
+  set Coupling = slip
+end
+)";
+
+
+
   /** A body made from the text of a parameter file, at rest. */
   class Specimen
   {

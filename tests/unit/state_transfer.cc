@@ -174,96 +174,96 @@ namespace
     MixedSpace   space;
     State        state;
   };
+
+
+
+  TEST_P(StateTransfer, RefinementChangesNoFunction)
+  {
+    const double before  = integral();
+    const auto   n_cells = triangulation.n_global_active_cells();
+    refine_some();
+    EXPECT_GT(triangulation.n_global_active_cells(), n_cells);
+    EXPECT_EQ(state.time, 0.7);
+    EXPECT_EQ(state.last_time, 0.6);
+    EXPECT_NEAR(integral() / before, 1., 1e-13);
+    refine_some();
+    EXPECT_NEAR(integral() / before, 1., 1e-13);
+  }
+
+
+
+  TEST_P(StateTransfer, MergingUndoesRefinement)
+  {
+    const State before  = state;
+    const auto  refined = refined_cells(triangulation);
+    refine_some();
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->level() > 0)
+        cell->set_coarsen_flag();
+    change();
+    ASSERT_EQ(refined_cells(triangulation), refined);
+
+    // Unknowns may be numbered anew, but norms do not care.
+    const auto expect_equal = [](const Vector &a, const Vector &b) {
+      EXPECT_NEAR(a.l2_norm() / b.l2_norm(), 1., 1e-14);
+    };
+    expect_equal(state.solution, before.solution);
+    ASSERT_EQ(state.histories.size(), 3);
+    for (const auto &[name, vector] : before.histories)
+      expect_equal(state.histories.at(name), vector);
+    ASSERT_EQ(state.past.size(), 2);
+    for (unsigned int k = 0; k < 2; ++k)
+      {
+        EXPECT_EQ(state.past[k].time, past[k]);
+        expect_equal(state.past[k].solution, before.past[k].solution);
+      }
+  }
+
+
+
+  TEST_P(StateTransfer, WhatHangsIsConforming)
+  {
+    triangulation.refine_global(1);
+    number();
+    state = space.zero_state(outline());
+    fill();
+    // Merge some, so that coarse cells get fine neighbours that do not fit.
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->center()[0] < 1.)
+        cell->set_coarsen_flag();
+    change();
+    auto hanging_nodes =
+      local_constraints(space.locally_owned, space.locally_relevant);
+    dealii::DoFTools::make_hanging_node_constraints(space.dof_handler,
+                                                    hanging_nodes);
+    hanging_nodes.close();
+    EXPECT_GT(dealii::Utilities::MPI::sum(hanging_nodes.n_constraints(),
+                                          space.communicator()),
+              0u);
+    const auto expect_conforming = [&](const Vector &solution) {
+      Vector conforming = solution;
+      hanging_nodes.distribute(conforming);
+      conforming -= solution;
+      EXPECT_LT(conforming.linfty_norm(), 1e-13);
+    };
+    expect_conforming(state.solution);
+    for (const State::Past &earlier : state.past)
+      expect_conforming(earlier.solution);
+  }
+
+
+
+  TEST_P(StateTransfer, AMeshIsMadeAnewFromItsRecord)
+  {
+    refine_some();
+    const auto refined = refined_cells(triangulation);
+    const auto n_cells = triangulation.n_global_active_cells();
+    coarsen_completely(triangulation);
+    EXPECT_EQ(triangulation.n_global_levels(), 1u);
+    refine_cells(triangulation, refined);
+    EXPECT_EQ(triangulation.n_global_active_cells(), n_cells);
+    EXPECT_EQ(refined_cells(triangulation), refined);
+  }
+
+  INSTANTIATE_TEST_SUITE_P(Interface, StateTransfer, ::testing::Bool());
 } // namespace
-
-
-
-TEST_P(StateTransfer, RefinementChangesNoFunction)
-{
-  const double before  = integral();
-  const auto   n_cells = triangulation.n_global_active_cells();
-  refine_some();
-  EXPECT_GT(triangulation.n_global_active_cells(), n_cells);
-  EXPECT_EQ(state.time, 0.7);
-  EXPECT_EQ(state.last_time, 0.6);
-  EXPECT_NEAR(integral() / before, 1., 1e-13);
-  refine_some();
-  EXPECT_NEAR(integral() / before, 1., 1e-13);
-}
-
-
-
-TEST_P(StateTransfer, MergingUndoesRefinement)
-{
-  const State before  = state;
-  const auto  refined = refined_cells(triangulation);
-  refine_some();
-  for (const auto &cell : triangulation.active_cell_iterators())
-    if (cell->is_locally_owned() && cell->level() > 0)
-      cell->set_coarsen_flag();
-  change();
-  ASSERT_EQ(refined_cells(triangulation), refined);
-
-  // Unknowns may be numbered anew, but norms do not care.
-  const auto expect_equal = [](const Vector &a, const Vector &b) {
-    EXPECT_NEAR(a.l2_norm() / b.l2_norm(), 1., 1e-14);
-  };
-  expect_equal(state.solution, before.solution);
-  ASSERT_EQ(state.histories.size(), 3);
-  for (const auto &[name, vector] : before.histories)
-    expect_equal(state.histories.at(name), vector);
-  ASSERT_EQ(state.past.size(), 2);
-  for (unsigned int k = 0; k < 2; ++k)
-    {
-      EXPECT_EQ(state.past[k].time, past[k]);
-      expect_equal(state.past[k].solution, before.past[k].solution);
-    }
-}
-
-
-
-TEST_P(StateTransfer, WhatHangsIsConforming)
-{
-  triangulation.refine_global(1);
-  number();
-  state = space.zero_state(outline());
-  fill();
-  // Merge some, so that coarse cells get fine neighbours that do not fit.
-  for (const auto &cell : triangulation.active_cell_iterators())
-    if (cell->is_locally_owned() && cell->center()[0] < 1.)
-      cell->set_coarsen_flag();
-  change();
-  auto hanging_nodes =
-    local_constraints(space.locally_owned, space.locally_relevant);
-  dealii::DoFTools::make_hanging_node_constraints(space.dof_handler,
-                                                  hanging_nodes);
-  hanging_nodes.close();
-  EXPECT_GT(dealii::Utilities::MPI::sum(hanging_nodes.n_constraints(),
-                                        space.communicator()),
-            0u);
-  const auto expect_conforming = [&](const Vector &solution) {
-    Vector conforming = solution;
-    hanging_nodes.distribute(conforming);
-    conforming -= solution;
-    EXPECT_LT(conforming.linfty_norm(), 1e-13);
-  };
-  expect_conforming(state.solution);
-  for (const State::Past &earlier : state.past)
-    expect_conforming(earlier.solution);
-}
-
-
-
-TEST_P(StateTransfer, AMeshIsMadeAnewFromItsRecord)
-{
-  refine_some();
-  const auto refined = refined_cells(triangulation);
-  const auto n_cells = triangulation.n_global_active_cells();
-  coarsen_completely(triangulation);
-  EXPECT_EQ(triangulation.n_global_levels(), 1u);
-  refine_cells(triangulation, refined);
-  EXPECT_EQ(triangulation.n_global_active_cells(), n_cells);
-  EXPECT_EQ(refined_cells(triangulation), refined);
-}
-
-INSTANTIATE_TEST_SUITE_P(Interface, StateTransfer, ::testing::Bool());

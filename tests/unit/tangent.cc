@@ -116,12 +116,6 @@ subsection Boundary conditions
 end
 )";
 
-  const std::string slip = R"(
-subsection Interface
-  set Coupling = slip
-end
-)";
-
   const std::string reference_slip = R"(
 subsection Interface
   set Coupling = reference slip

@@ -14,15 +14,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "read_plugin.h"
+#include "sample_point.h"
 #include "specimen.h"
 
 using namespace lumbricus;
+using namespace lumbricus::sample_point;
 using dealii::Tensor;
 
 namespace
@@ -157,24 +158,6 @@ namespace
       owner.check_parameters();
     }
   };
-
-
-
-  Tensor<2, dim>
-  gradient(const std::initializer_list<double> &entries)
-  {
-    Tensor<2, dim> F;
-    auto           entry = entries.begin();
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int J = 0; J < dim; ++J)
-        F[i][J] = *entry++;
-    return F;
-  }
-
-  const Tensor<2, dim> F_general =
-    gradient({1.3, 0.2, -0.1, 0.15, 0.8, 0.25, -0.3, 0.1, 1.1});
-  constexpr double p = 0.37;
-  constexpr double h = 1e-5;
 } // namespace
 
 
