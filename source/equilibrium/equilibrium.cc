@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/equilibrium/equilibrium.h>
-#include <lumbricus/linear/bordered_solver.h>
 
 #include <algorithm>
 #include <cmath>
@@ -231,8 +230,7 @@ namespace lumbricus
         std::vector<double> dg, c = border.residual;
         for (double &entry : c)
           entry *= -1.;
-        BorderedSolver(linear_solver, assembler.tangent())
-          .solve(dx.solution, dg, rhs, c, border, tolerance);
+        linear_solver.solve(dx.solution, dg, rhs, c, border, tolerance);
         dx.globals = border.write(dg);
       }
     supports.constraints().distribute(dx.solution);

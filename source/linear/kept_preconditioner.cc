@@ -10,8 +10,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "bordered_system.h"
+
 namespace lumbricus
 {
+  KeptPreconditioner::KeptPreconditioner()  = default;
+  KeptPreconditioner::~KeptPreconditioner() = default;
+
+
+
   void
   KeptPreconditioner::declare_parameters(dealii::ParameterHandler &prm)
   {
@@ -50,6 +57,7 @@ namespace lumbricus
   void
   KeptPreconditioner::drop()
   {
+    bordered.reset();
     current  = {};
     factored = false;
   }
@@ -62,14 +70,59 @@ namespace lumbricus
                             const double  wanted_tolerance)
   {
     const double tolerance = std::min(wanted_tolerance, least_accuracy);
+    solve_by([&]() {
+      return iterate(*tangent, *current.inverse, x, b, tolerance);
+    });
+  }
+
+
+
+  void
+  KeptPreconditioner::solve(Vector                    &x,
+                            std::vector<double>       &g,
+                            const Vector              &b,
+                            const std::vector<double> &c,
+                            const Border              &border,
+                            const double               wanted_tolerance)
+  {
+    const double tolerance = std::min(wanted_tolerance, least_accuracy);
+    const BorderedVector  all_b = bordered_vector(b, c);
+    BorderedVector        all_x = all_b;
+    const BorderedTangent system(*tangent, border);
+    // An earlier border may have had others of the same number, which hardly
+    // help then: iterations will say so.
+    if (bordered != nullptr && bordered->size() != border.size())
+      bordered.reset();
+    solve_by([&]() {
+      if (bordered == nullptr)
+        {
+          dealii::Timer timer;
+          bordered =
+            std::make_unique<BorderedInverse>(*current.inverse, border, b);
+          counts.factor_seconds += timer.wall_time();
+        }
+      return iterate(system, *bordered, all_x, all_b, tolerance) &&
+             system.is_solved(all_x, all_b, tolerance);
+    });
+    x = all_x.block(0);
+    g = globals_of(all_x);
+  }
+
+
+
+  void
+  KeptPreconditioner::solve_by(const std::function<bool()> &iterate)
+  {
     try
       {
-        const bool worth_keeping =
-          factored && keep && !age.worn_out(current.inverse->cost());
-        bool solved = worth_keeping && iterate(x, b, tolerance);
+        const double cost_of_border = bordered ? bordered->size() : 0.;
+        const bool   worth_keeping =
+          factored && keep &&
+          !age.worn_out(current.inverse->cost() + cost_of_border);
+        bool solved = worth_keeping && iterate();
         while (!solved)
           {
-            solved = factor() && iterate(x, b, tolerance);
+            solved = factor() && iterate();
             if (!solved)
               give_up_kind();
           }
@@ -91,6 +144,7 @@ namespace lumbricus
   {
     dealii::Timer timer;
     factored = false;
+    bordered.reset();
     if (current.inverse == nullptr)
       current = make(*tangent, kind);
     age = FactorAge();
@@ -134,23 +188,26 @@ namespace lumbricus
 
 
 
+  template <typename System, typename Inverse, typename VectorType>
   bool
-  KeptPreconditioner::iterate(Vector       &x,
-                              const Vector &b,
-                              const double  tolerance)
+  KeptPreconditioner::iterate(const System     &system,
+                              const Inverse    &inverse,
+                              VectorType       &x,
+                              const VectorType &b,
+                              const double      tolerance)
   {
     dealii::Timer         timer;
     dealii::SolverControl control(most_iterations, tolerance * b.l2_norm());
     // With a basis of one vector FGMRES counts no iterations, and does not end.
-    dealii::SolverFGMRES<Vector> solver(
+    dealii::SolverFGMRES<VectorType> solver(
       control,
-      dealii::SolverFGMRES<Vector>::AdditionalData(
+      typename dealii::SolverFGMRES<VectorType>::AdditionalData(
         std::max(2u, most_iterations)));
     bool converged = true;
     x              = 0.;
     try
       {
-        solver.solve(*tangent, x, b, *current.inverse);
+        solver.solve(system, x, b, inverse);
       }
     catch (const dealii::SolverControl::NoConvergence &)
       {

@@ -4,6 +4,7 @@
 
 #include <lumbricus/core/load_time.h>
 #include <lumbricus/core/state.h>
+#include <lumbricus/discretization/border_vector.h>
 #include <lumbricus/discretization/cell_unknowns.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -37,9 +38,9 @@ namespace lumbricus
     /** What rounding makes of s where it is 0, in the unit of s. */
     std::vector<double> rounding;
     /** B_k = dr/dg_k in the free unknowns (CellUnknowns::add()). */
-    std::vector<Vector> columns;
+    std::vector<BorderVector> columns;
     /** C_k = ds_k/du in the free unknowns. */
-    std::vector<Vector> rows;
+    std::vector<BorderVector> rows;
     /** D = ds/dg. */
     dealii::FullMatrix<double> corner;
 

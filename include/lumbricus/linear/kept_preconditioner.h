@@ -8,8 +8,16 @@
 
 #include <deal.II/base/types.h>
 
+#include <functional>
+#include <memory>
+#include <vector>
+
 namespace lumbricus
 {
+  class BorderedInverse;
+
+
+
   /**
    * FGMRES, preconditioned by an approximate inverse of an earlier tangent,
    * which is kept across Newton iterations, resets and load steps for as long
@@ -32,6 +40,17 @@ namespace lumbricus
     void
     solve(Vector &x, const Vector &b, const double wanted_tolerance) override;
 
+    void
+    solve(Vector                    &x,
+          std::vector<double>       &g,
+          const Vector              &b,
+          const std::vector<double> &c,
+          const Border              &border,
+          const double               wanted_tolerance) override;
+
+    KeptPreconditioner();
+    ~KeptPreconditioner() override;
+
   protected:
     /** The inverse of kind @p kind for the pattern of @p tangent: the fastest
      * is 0, each one more is more robust; without an inverse where there is
@@ -44,13 +63,24 @@ namespace lumbricus
     void
     drop();
 
+    /** Call @p iterate, which says whether it has solved the system with the
+     * inverse there is, with better and better ones until it has. */
+    void
+    solve_by(const std::function<bool()> &iterate);
+
     /** @return whether it can be done for what the tangent is now. */
     bool
     factor();
 
-    /** @return whether FGMRES converged. */
+    /** Solve @p system by FGMRES, preconditioned by @p inverse.
+     * @return whether it converged. */
+    template <typename System, typename Inverse, typename VectorType>
     bool
-    iterate(Vector &x, const Vector &b, const double tolerance);
+    iterate(const System     &system,
+            const Inverse    &inverse,
+            VectorType       &x,
+            const VectorType &b,
+            const double      tolerance);
 
     /** Let the next kind follow. Throws ExcNotConverged where there is none. */
     void
@@ -66,6 +96,8 @@ namespace lumbricus
     /** Then there is an inverse. */
     bool      factored = false;
     FactorAge age;
+    /** The inverse with a border around it, where there is one. */
+    std::unique_ptr<BorderedInverse> bordered;
   };
 } // namespace lumbricus
 

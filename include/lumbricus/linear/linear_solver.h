@@ -2,12 +2,14 @@
 #ifndef lumbricus_linear_linear_solver_h
 #define lumbricus_linear_linear_solver_h
 
+#include <lumbricus/discretization/border.h>
 #include <lumbricus/discretization/tangent.h>
 #include <lumbricus/parameters/parameter_owner.h>
 
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace lumbricus
 {
@@ -48,6 +50,19 @@ namespace lumbricus
      */
     virtual void
     solve(Vector &x, const Vector &b, const double tolerance) = 0;
+
+    /**
+     * The same with @p border around the tangent, for the right-hand sides b
+     * and c, to a residual of all rows together. Throws ExcNotConverged also
+     * where the border does not determine its unknowns.
+     */
+    virtual void
+    solve(Vector                    &x,
+          std::vector<double>       &g,
+          const Vector              &b,
+          const std::vector<double> &c,
+          const Border              &border,
+          const double               tolerance) = 0;
 
     /** What it did since it was made. */
     const LinearSolverStatistics &

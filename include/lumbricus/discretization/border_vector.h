@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_discretization_border_vector_h
+#define lumbricus_discretization_border_vector_h
+
+#include <lumbricus/core/state.h>
+
+#include <vector>
+
+namespace lumbricus
+{
+  /** A row or column of a Border: a vector of the free unknowns of which next to
+   * all entries are zero, as on the surface of one chamber. */
+  class BorderVector
+  {
+  public:
+    BorderVector() = default;
+
+    /** The entries of @p dense that are not zero, of those this rank owns. */
+    explicit BorderVector(const Vector &dense)
+    {
+      const auto n = dense.locally_owned_size();
+      for (unsigned int i = 0; i < n; ++i)
+        if (dense.local_element(i) != 0.)
+          {
+            places.push_back(i);
+            values.push_back(dense.local_element(i));
+          }
+    }
+
+    /** The part of the scalar product with @p x that the owned entries make. */
+    double
+    product(const Vector &x) const
+    {
+      double sum = 0.;
+      for (unsigned int k = 0; k < places.size(); ++k)
+        sum += values[k] * x.local_element(places[k]);
+      return sum;
+    }
+
+    /** x += factor times this. */
+    void
+    add_to(Vector &x, const double factor) const
+    {
+      for (unsigned int k = 0; k < places.size(); ++k)
+        x.local_element(places[k]) += factor * values[k];
+    }
+
+    /** Set all of @p x to this. */
+    void
+    copy_to(Vector &x) const
+    {
+      x = 0.;
+      add_to(x, 1.);
+    }
+
+  private:
+    std::vector<unsigned int> places;
+    std::vector<double>       values;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bordered_system.h"
+
+#include <lumbricus/core/exceptions.h>
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/exceptions.h>
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumbricus
+{
+  namespace
+  {
+    // C x, for all ranks.
+    std::vector<double>
+    products(const std::vector<BorderVector> &rows, const Vector &x)
+    {
+      std::vector<double> sums;
+      for (const BorderVector &row : rows)
+        sums.push_back(row.product(x));
+      dealii::Utilities::MPI::sum(sums, x.get_mpi_communicator(), sums);
+      return sums;
+    }
+
+
+
+    // The first rank owns them.
+    void
+    set_globals(BorderedVector &x, const std::vector<double> &g)
+    {
+      Vector &owned = x.block(1);
+      for (unsigned int k = 0; k < owned.locally_owned_size(); ++k)
+        owned.local_element(k) = g[k];
+    }
+
+
+
+    void
+    check_regular(const bool is_regular)
+    {
+      AssertThrow(is_regular,
+                  ExcNotConverged(
+                    "The linear system does not determine its global unknowns, "
+                    "or is singular without them"));
+    }
+  } // namespace
+
+
+
+  BorderedVector
+  bordered_vector(const Vector &b, const std::vector<double> &c)
+  {
+    const MPI_Comm   comm = b.get_mpi_communicator();
+    const auto       n    = c.size();
+    dealii::IndexSet owned(n);
+    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+      owned.add_range(0, n);
+    BorderedVector x(2);
+    x.block(0) = b;
+    x.block(1).reinit(owned, comm);
+    x.collect_sizes();
+    set_globals(x, c);
+    return x;
+  }
+
+
+
+  std::vector<double>
+  globals_of(const BorderedVector &x)
+  {
+    const Vector       &owned = x.block(1);
+    std::vector<double> g(owned.begin(), owned.end());
+    return dealii::Utilities::MPI::broadcast(owned.get_mpi_communicator(), g);
+  }
+
+
+
+  BorderedTangent::BorderedTangent(const Tangent &tangent, const Border &border)
+    : tangent(tangent)
+    , border(border)
+  {}
+
+
+
+  void
+  BorderedTangent::vmult(BorderedVector &y, const BorderedVector &x) const
+  {
+    const std::vector<double> g = globals_of(x);
+    tangent.vmult(y.block(0), x.block(0));
+    std::vector<double> s = products(border.rows, x.block(0));
+    for (unsigned int k = 0; k < g.size(); ++k)
+      {
+        border.columns[k].add_to(y.block(0), g[k]);
+        for (unsigned int l = 0; l < g.size(); ++l)
+          s[k] += border.corner(k, l) * g[l];
+      }
+    set_globals(y, s);
+  }
+
+
+
+  bool
+  BorderedTangent::is_solved(const BorderedVector &x,
+                             const BorderedVector &b,
+                             const double          tolerance) const
+  {
+    constexpr double about = 100.;
+    BorderedVector   r(b);
+    vmult(r, x);
+    r.sadd(-1., 1., b);
+    return r.l2_norm() <= about * tolerance * b.l2_norm();
+  }
+
+
+
+  BorderedInverse::BorderedInverse(const ApproximateInverse &inverse,
+                                   const Border             &border,
+                                   const Vector             &like)
+    : inverse(inverse)
+    , Z(border.size())
+    , rows(border.rows)
+    , row_scale(border.size())
+    , S(border.size())
+  {
+    const unsigned int         n = border.size();
+    dealii::FullMatrix<double> sum(border.corner);
+    Vector                     column(like);
+    for (unsigned int l = 0; l < n; ++l)
+      {
+        Z[l].reinit(like);
+        border.columns[l].copy_to(column);
+        inverse.vmult(Z[l], column);
+        const std::vector<double> of_rows = products(rows, Z[l]);
+        for (unsigned int k = 0; k < n; ++k)
+          sum(k, l) -= of_rows[k];
+      }
+
+    // Rows are in different units.
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        double largest = 0.;
+        for (unsigned int l = 0; l < n; ++l)
+          largest = std::max(largest, std::abs(sum(k, l)));
+        row_scale[k] = 1. / largest;
+        check_regular(std::isfinite(row_scale[k]));
+        for (unsigned int l = 0; l < n; ++l)
+          S(k, l) = row_scale[k] * sum(k, l);
+      }
+    try
+      {
+        S.compute_lu_factorization();
+      }
+    catch (const dealii::LACExceptions::ExcSingular &)
+      {
+        check_regular(false);
+      }
+  }
+
+
+
+  std::vector<double>
+  BorderedInverse::solve_globals(const std::vector<double> &c) const
+  {
+    dealii::Vector<double> x(c.size());
+    for (unsigned int k = 0; k < c.size(); ++k)
+      x[k] = row_scale[k] * c[k];
+    S.solve(x);
+    return {x.begin(), x.end()};
+  }
+
+
+
+  void
+  BorderedInverse::vmult(BorderedVector &x, const BorderedVector &r) const
+  {
+    inverse.vmult(x.block(0), r.block(0));
+    std::vector<double>       c  = globals_of(r);
+    const std::vector<double> Cy = products(rows, x.block(0));
+    for (unsigned int k = 0; k < c.size(); ++k)
+      c[k] -= Cy[k];
+    const std::vector<double> g = solve_globals(c);
+    for (unsigned int k = 0; k < g.size(); ++k)
+      x.block(0).add(-g[k], Z[k]);
+    set_globals(x, g);
+  }
+} // namespace lumbricus
