@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/area_derivative.h>
 #include <lumbricus/discretization/assembler.h>
 #include <lumbricus/discretization/cell_sizes.h>
 
@@ -113,6 +114,14 @@ namespace lumbricus
 
   const Tangent &
   Assembler::tangent() const
+  {
+    return linearisation;
+  }
+
+
+
+  Tangent &
+  Assembler::tangent()
   {
     return linearisation;
   }
@@ -285,37 +294,9 @@ namespace lumbricus
         for (unsigned int q = 0; q < surface.n_points(); ++q)
           {
             surface.set(q, kernel->u);
-            const double p = surface.pressure(kernel->p);
-
-            // d(cof(F) N)_c / dF_kL = a_c F^(-1)_Lk - a_k F^(-1)_Lc with
-            // a = cof(F) N.
-            const auto             cofactor = dealii::cofactor(surface.F);
-            const auto             a        = cofactor * surface.N;
-            const double           J        = dealii::determinant(surface.F);
-            dealii::Tensor<1, dim> spatial[n_nodes]; // F^(-T) Grad N
-            for (unsigned int n = 0; n < n_nodes; ++n)
-              spatial[n] = cofactor * surface.gradients[n] / J;
-            const double half = 0.5 * p * surface.JxW;
-            for (unsigned int n = 0; n < n_nodes; ++n)
-              {
-                const double N_n = surface.values[n];
-                if (N_n == 0.)
-                  continue;
-                for (unsigned int m = 0; m < n_nodes; ++m)
-                  for (unsigned int c = 0; c < dim; ++c)
-                    for (unsigned int k = 0; k < dim; ++k)
-                      {
-                        const double value =
-                          half * N_n *
-                          (a[c] * spatial[m][k] - a[k] * spatial[m][c]);
-                        const unsigned int row =
-                          CellUnknowns::displacement(c, n);
-                        const unsigned int column =
-                          CellUnknowns::displacement(k, m);
-                        matrix[row * n_per_cell + column] -= value;
-                        matrix[column * n_per_cell + row] -= value;
-                      }
-              }
+            add_area_derivative(surface,
+                                -surface.pressure(kernel->p),
+                                matrix);
           }
       }
   }

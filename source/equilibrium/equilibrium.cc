@@ -170,7 +170,7 @@ namespace lumbricus
     dealii::TimerOutput::Scope scope(timer, "residual");
     follow(x.solution);
     const auto   report = assembler.residual(x.solution, time, r);
-    const Border rows   = border_at(x, false, r);
+    const Border rows   = border_at(x, nullptr, r);
 
     double force = 0., volume = 0.;
     for (unsigned int i = 0; i < component.size(); ++i)
@@ -211,7 +211,7 @@ namespace lumbricus
       return;
     rhs = assembler.right_hand_side();
     rhs *= -1.;
-    border = border_at(x, true, rhs);
+    border = border_at(x, &assembler.tangent(), rhs);
     rhs *= -1.;
   }
 
@@ -240,13 +240,13 @@ namespace lumbricus
 
   Border
   Equilibrium::border_at(const Unknowns &x,
-                         const bool      with_derivatives,
+                         Tangent        *tangent,
                          Vector         &residual) const
   {
     Border all;
     for (BorderSource *source : sources)
-      all.append(source->border(
-        x.solution, x.globals, time, with_derivatives, residual));
+      all.append(
+        source->border(x.solution, x.globals, time, tangent, residual));
     return all;
   }
 
@@ -309,7 +309,7 @@ namespace lumbricus
   {
     const MixedSpace  &space  = body.space;
     const auto         report = assembler.residual(x.solution, time, r);
-    border_at(x, false, r);
+    border_at(x, nullptr, r);
     std::ostringstream where;
     if (!report.valid())
       {

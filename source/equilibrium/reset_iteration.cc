@@ -100,7 +100,7 @@ namespace lumbricus
 
         dealii::TimerOutput::Scope scope(timer, "reset");
         const Vector relevant = body.space.with_ghosts(state.solution);
-        solve.segments        = segment_states(body, references, relevant);
+        solve.segments        = segment_states(body, references, relevant, state.globals);
         solve.measures        = section_measures(body, relevant);
         solve.qualities       = mesh_qualities(body, &relevant);
         for (const SegmentState &segment : solve.segments)

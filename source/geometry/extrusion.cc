@@ -3,6 +3,7 @@
 #include "extrusion.h"
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria_description.h>
 
@@ -38,8 +39,33 @@ namespace lumbricus
 
 
 
-    // The first four faces of a hexahedron lie over the lines of its quad, in
-    // their order; the other two are its ends.
+    // A part of the body without cells that a cell borders on.
+    struct Emptiness
+    {
+      bool         exists = false;
+      unsigned int slab   = 0;
+    };
+
+
+
+    // What is behind a free face of a cell. The first four faces of a
+    // hexahedron lie over the lines of its quad, in their order; the other two
+    // are its ends.
+    Emptiness
+    emptiness_behind(const CrossSection::Quad &quad,
+                     const unsigned int        slab,
+                     const unsigned int        n_slabs,
+                     const unsigned int        face)
+    {
+      if (face < 4)
+        return {quad.sides[face] == CrossSection::Side::interior, slab};
+      if (face == 4)
+        return {slab > 0, slab - 1};
+      return {slab + 1 < n_slabs, slab + 1};
+    }
+
+
+
     BodySurface
     surface_of(const CrossSection::Quad &quad, const unsigned int face)
     {
@@ -75,26 +101,43 @@ namespace lumbricus
     // right-handed as (y, z, x).
     std::vector<dealii::CellData<dim>> cells;
     cells.reserve(n_slabs * quads.size());
+    struct Place
+    {
+      unsigned int              slab;
+      const CrossSection::Quad &quad;
+    };
+    std::vector<Place> places; // of the cells
     for (unsigned int slab = 0; slab < n_slabs; ++slab)
       for (const CrossSection::Quad &quad : quads)
         {
+          const auto in_region = region(slab, quad.ring);
+          if (!in_region)
+            continue;
           dealii::CellData<dim> cell;
           for (unsigned int v = 0; v < 8; ++v)
             cell.vertices[v] =
               quad.vertices[v % 4] + (slab + v / 4) * section.n_vertices();
-          cell.material_id = region(slab, quad.ring).material_id();
+          cell.material_id = in_region->material_id();
           cells.push_back(cell);
+          places.push_back({slab, quad});
         }
 
-    triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
+    dealii::SubCellData surfaces;
+    dealii::GridTools::delete_unused_vertices(vertices, cells, surfaces);
+    triangulation.create_triangulation(vertices, cells, surfaces);
 
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
       {
-        const CrossSection::Quad &quad = quads[cell->index() % quads.size()];
+        const auto &[slab, quad] = places[cell->index()];
         for (const unsigned int f : cell->face_indices())
           if (cell->at_boundary(f))
-            cell->face(f)->set_boundary_id(
-              boundary(surface_of(quad, f), quad.ring));
+            {
+              const Emptiness empty = emptiness_behind(quad, slab, n_slabs, f);
+              cell->face(f)->set_boundary_id(
+                empty.exists ?
+                  boundary(BodySurface::chamber, quad.ring, empty.slab) :
+                  boundary(surface_of(quad, f), quad.ring, slab));
+            }
         // This includes the faces shared with the disk.
         if (quad.ring > 0)
           cell->set_all_manifold_ids(cylindrical_manifold_id);

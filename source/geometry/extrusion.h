@@ -5,6 +5,7 @@
 #include <lumbricus/geometry/geometry.h>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "cross_section.h"
@@ -33,6 +34,8 @@ namespace lumbricus
     outer,
     /** The innermost circles of a hollow body. */
     inner,
+    /** Around a part without cells. */
+    chamber,
     /** The plane y = 0 of a half or a quarter. */
     symmetry_y,
     /** The plane z = 0 of a quarter. */
@@ -41,14 +44,18 @@ namespace lumbricus
 
 
 
-  /** Region of the cells of a ring in the slab behind a station. */
+  /** Region of the cells of a ring in the slab behind a station; nothing where
+   * there are to be no cells. */
   using RegionOfCell =
-    std::function<Region(const unsigned int slab, const unsigned int ring)>;
+    std::function<std::optional<Region>(const unsigned int slab,
+                                        const unsigned int ring)>;
 
-  /** Boundary id of the faces that cells of a ring have on a surface. */
+  /** Boundary id of the faces that cells of a ring have on a surface. The slab
+   * is that of the cells, or that of the part without cells. */
   using BoundaryOfFace =
     std::function<dealii::types::boundary_id(const BodySurface  surface,
-                                             const unsigned int ring)>;
+                                             const unsigned int ring,
+                                             const unsigned int slab)>;
 
   /**
    * Sweep @p section along the x axis: one slab of hexahedra between each two

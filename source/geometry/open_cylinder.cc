@@ -162,7 +162,8 @@ namespace lumbricus
     const unsigned int n_names = boundary_names().size();
     const auto         boundary =
       [n_names](const BodySurface  surface,
-                const unsigned int ring) -> dealii::types::boundary_id {
+                const unsigned int ring,
+                const unsigned int /*slab*/) -> dealii::types::boundary_id {
       switch (surface)
         {
           case BodySurface::head:

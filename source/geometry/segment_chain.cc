@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <string>
 
 #include "coarse_cells.h"
 #include "extrusion.h"
@@ -17,6 +19,9 @@ namespace lumbricus
   namespace
   {
     const std::string ranges_name = "Segments with their own measures";
+
+    // Before the number of the segment.
+    const std::string cavity_name = "cavity ";
 
     // What fills the disk inside the wall.
     enum class Filling
@@ -128,15 +133,18 @@ namespace lumbricus
     tissues() const override;
 
     std::vector<std::string>
-    boundary_names() const override
-    {
-      return {"head", "tail", "skin"};
-    }
+    boundary_names() const override;
+
+    std::string
+    inside_of_body(const std::string &name) const override;
+
+    std::vector<CavityWall>
+    cavities() const override;
 
     std::vector<SymmetryPlane>
     symmetry_planes() const override
     {
-      return section.symmetry_planes(n_boundaries);
+      return section.symmetry_planes(boundary_names().size());
     }
 
     std::string
@@ -160,7 +168,7 @@ namespace lumbricus
   private:
     inline static const std::string path = "Geometry/segment chain";
 
-    // The boundary ids; those of the symmetry planes follow.
+    // The boundary ids; those of the cavities and the symmetry planes follow.
     enum Boundary : unsigned int
     {
       head,
@@ -168,6 +176,12 @@ namespace lumbricus
       skin,
       n_boundaries
     };
+
+    bool
+    has_cavities() const
+    {
+      return liquid == "cavity";
+    }
 
     std::vector<SegmentRange>
     ranges() const
@@ -189,6 +203,7 @@ namespace lumbricus
     /** By name of the section. The addresses of its values stay as they are. */
     std::map<std::string, SegmentMeasures> own_measures;
 
+    std::string  liquid        = "meshed";
     unsigned int n             = 3;
     double       cap_thickness = 0.3;
     unsigned int n_along       = 2;
@@ -218,6 +233,12 @@ namespace lumbricus
                       "[mm] Thickness of the caps that close the chain at its "
                       "head and at its tail.",
                       PositiveNumber());
+    prm.add_parameter("Liquid",
+                      liquid,
+                      "What is in the chambers. 'meshed': cells of the tissue "
+                      "'liquid', a soft rubber that is reset. 'cavity': no "
+                      "cells, but one pressure for each, see Cavities.",
+                      dealii::Patterns::Selection("meshed|cavity"));
     prm.add_parameter(
       ranges_name,
       range_list,
@@ -363,18 +384,25 @@ namespace lumbricus
       const Slab        &where  = plan.slabs[slab];
       const unsigned int septum = n_layers + 1;
       const unsigned int cap    = n > 1 ? septum + 1 : septum;
-      const unsigned int tissue = where.filling == Filling::cap    ? cap :
+      const unsigned int place  = where.filling == Filling::cap    ? cap :
                                   ring > 0                         ? ring :
                                   where.filling == Filling::septum ? septum :
                                                                      0;
-      return Region{where.segment, tissue};
+      if (place == 0 && has_cavities())
+        return std::optional<Region>();
+      return std::make_optional(
+        Region{where.segment, has_cavities() ? place - 1 : place});
     };
 
-    const auto boundary =
-      [](const BodySurface surface,
-         const unsigned int /*ring*/) -> dealii::types::boundary_id {
+    const unsigned int n_names = boundary_names().size();
+    const auto         boundary =
+      [&](const BodySurface surface,
+         const unsigned int /*ring*/,
+         const unsigned int slab) -> dealii::types::boundary_id {
       switch (surface)
         {
+          case BodySurface::chamber:
+            return n_boundaries + plan.slabs[slab].segment;
           case BodySurface::head:
             return head;
           case BodySurface::tail:
@@ -382,7 +410,7 @@ namespace lumbricus
           case BodySurface::outer:
             return skin;
           default:
-            return RoundSection::symmetry_boundary(surface, n_boundaries);
+            return RoundSection::symmetry_boundary(surface, n_names);
         }
     };
 
@@ -398,11 +426,46 @@ namespace lumbricus
   std::vector<TissueName>
   SegmentChain::tissues() const
   {
-    std::vector<TissueName> all = {{"liquid", true}};
+    std::vector<TissueName> all;
+    if (!has_cavities())
+      all.push_back({"liquid", true});
     section.append_layers(all);
     if (n > 1)
       all.push_back({"septum", false});
     all.push_back({"cap", false});
+    return all;
+  }
+
+
+
+  std::vector<std::string>
+  SegmentChain::boundary_names() const
+  {
+    std::vector<std::string> names = {"head", "tail", "skin"};
+    for (const CavityWall &cavity : cavities())
+      names.push_back(cavity_name + std::to_string(cavity.segment + 1));
+    return names;
+  }
+
+
+
+  std::string
+  SegmentChain::inside_of_body(const std::string &name) const
+  {
+    return name.rfind(cavity_name, 0) == 0 ?
+             "is around a chamber, whose pressure is an unknown" :
+             "";
+  }
+
+
+
+  std::vector<CavityWall>
+  SegmentChain::cavities() const
+  {
+    std::vector<CavityWall> all;
+    if (has_cavities())
+      for (unsigned int s = 0; s < n; ++s)
+        all.push_back({n_boundaries + s, s});
     return all;
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/materials/cauchy_stress.h>
+#include <lumbricus/measures/cavity_measures.h>
 #include <lumbricus/measures/segment_state.h>
 
 #include <algorithm>
@@ -30,7 +31,8 @@ namespace lumbricus
   std::vector<SegmentState>
   segment_states(const Body           &body,
                  const ReferenceField &references,
-                 const Vector         &relevant_solution)
+                 const Vector         &relevant_solution,
+                 const Globals        &globals)
   {
     const MixedSpace         &space    = body.space;
     const ShapeCache         &shapes   = body.shapes;
@@ -98,6 +100,17 @@ namespace lumbricus
         states[s].abs_pressure     = whole * sum[3];
         states[s].abs_deviator     = whole * sum[4];
         states[s].largest_deviator = maxima[s];
+      }
+
+    const auto cavities = geometry.cavities();
+    const auto volumes  = cavity_volumes(body, relevant_solution);
+    for (unsigned int k = 0; k < cavities.size(); ++k)
+      {
+        SegmentState &state = states[cavities[k].segment];
+        const double  P     = globals.at(cavity_pressure)[k];
+        state.liquid_volume = whole * volumes[k];
+        state.pressure      = P * state.liquid_volume;
+        state.abs_pressure  = std::abs(state.pressure);
       }
     return states;
   }

@@ -24,6 +24,7 @@ namespace lumbricus
     , surface_terms(body, parameters.boundary_conditions)
     , volume_terms(body, parameters.body_forces)
     , assembler(body, surface_terms, volume_terms, references, supports)
+    , cavities(body, assembler.tangent().unknowns, parameters.cavity_contents)
     , equilibrium(body,
                   assembler,
                   supports,
@@ -87,6 +88,9 @@ namespace lumbricus
     shapes.reinit();
     references.reinit();
     supports.reinit();
+    cavities.reinit();
+    if (cavities.any())
+      equilibrium.set_borders({&cavities});
     equilibrium.reinit();
   }
 

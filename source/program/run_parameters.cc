@@ -29,6 +29,7 @@ namespace lumbricus
     interface_coupling.declare_parameters(prm);
     boundary_conditions.declare_parameters(prm);
     body_forces.declare_parameters(prm);
+    cavity_contents.declare_parameters(prm);
     symmetry_check.declare_parameters(prm);
     load_stepping.declare_parameters(prm);
     load_curves.declare_parameters(prm);
@@ -74,6 +75,7 @@ namespace lumbricus
     extended |= adaptivity.extend_parameters(prm, extent);
     extended |= boundary_conditions.extend_parameters(prm, extent);
     extended |= body_forces.extend_parameters(prm, extent);
+    extended |= cavity_contents.extend_parameters(prm, extent);
     prm.enter_subsection("Path");
     extended |= continuation.extend_parameters(prm, extent);
     prm.leave_subsection();
@@ -95,6 +97,7 @@ namespace lumbricus
     adaptivity.check_parameters();
     boundary_conditions.check_parameters();
     body_forces.check_parameters();
+    cavity_contents.check_parameters();
     load_stepping.check_parameters();
     within_section("Path", [&]() { continuation.check_parameters(); });
     within_section("Linear solver",

@@ -368,7 +368,7 @@ end
     border(const Vector   &solution,
            const Globals  &globals,
            const LoadTime &t,
-           const bool      with_derivatives,
+           Tangent        *tangent,
            Vector         &r) override
     {
       for (unsigned int i = 0; i < r.locally_owned_size(); ++i)
@@ -379,7 +379,7 @@ end
       border.residual = {of(solution) - displacement * t.to()};
       border.scale    = {2.};
       border.rounding = {2. * std::numeric_limits<double>::epsilon()};
-      if (with_derivatives)
+      if (tangent != nullptr)
         {
           border.columns = {BorderVector(force)};
           border.rows    = {BorderVector(mean)};

@@ -90,6 +90,10 @@ namespace lumbricus
     const Tangent &
     tangent() const;
 
+    /** For what borders equilibrium, to add to it. */
+    Tangent &
+    tangent();
+
     /** That of linearise(): -r, and what the inhomogeneities of the constraints
      * add to it [N and mm^3]. */
     const Vector &

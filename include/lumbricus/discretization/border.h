@@ -5,7 +5,7 @@
 #include <lumbricus/core/load_time.h>
 #include <lumbricus/core/state.h>
 #include <lumbricus/discretization/border_vector.h>
-#include <lumbricus/discretization/cell_unknowns.h>
+#include <lumbricus/discretization/tangent.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -80,14 +80,15 @@ namespace lumbricus
      * The border at the displacements and pressures @p solution, at @p globals
      * and the loads at @p t; what the global unknowns add to r is added to
      * @p r, in the free unknowns this rank owns. Columns, rows and corner are
-     * those there are only @p with_derivatives; then what the constraints
-     * still prescribe of du is brought to the residual.
+     * there only where @p tangent is not null; then what the global unknowns
+     * add to K is added to it, and what the constraints still prescribe of du
+     * is brought to @p r and to the residual.
      */
     virtual Border
     border(const Vector   &solution,
            const Globals  &globals,
            const LoadTime &t,
-           const bool      with_derivatives,
+           Tangent        *tangent,
            Vector         &r) = 0;
   };
 } // namespace lumbricus

@@ -45,6 +45,14 @@ namespace lumbricus
         x.local_element(places[k]) += factor * values[k];
     }
 
+    /** Multiply it with @p factor. */
+    void
+    scale(const double factor)
+    {
+      for (double &value : values)
+        value *= factor;
+    }
+
     /** Set all of @p x to this. */
     void
     copy_to(Vector &x) const

@@ -96,11 +96,10 @@ namespace lumbricus
     reinit_solvers();
 
     /** The border that all sources make at @p x; what it adds to the residual
-     * of the owned unknowns is added to @p residual. */
+     * of the owned unknowns is added to @p residual; see BorderSource::border().
+     */
     Border
-    border_at(const Unknowns &x,
-              const bool      with_derivatives,
-              Vector         &residual) const;
+    border_at(const Unknowns &x, Tangent *tangent, Vector &residual) const;
 
     /** Let the constraints be those at @p x, where they follow it. */
     void

@@ -73,6 +73,17 @@ namespace lumbricus
 
 
 
+  /** The wall around a chamber whose liquid has no cells. */
+  struct CavityWall
+  {
+    /** The id of its faces, which together with planes of symmetry close it. */
+    dealii::types::boundary_id boundary;
+    /** Which segment's chamber it is, from zero; each has at most one. */
+    unsigned int segment;
+  };
+
+
+
   /**
    * The cross-sections x = const (reference configuration) between which a
    * segment is measured; mesh faces lie in all of them, at every refinement.
@@ -127,6 +138,13 @@ namespace lumbricus
     /** Empty for a full cross-section. Their ids follow those of the names. */
     virtual std::vector<SymmetryPlane>
     symmetry_planes() const = 0;
+
+    /** The chambers without cells inside, in the order of their segments. */
+    virtual std::vector<CavityWall>
+    cavities() const
+    {
+      return {};
+    }
 
     /** What to set so that the body has no planes of symmetry, a sentence for
      * messages. */

@@ -33,12 +33,14 @@ namespace lumbricus
     divergence(const double pressure_floor) const;
   };
 
-  /** The integrals of every segment at @p relevant_solution, a ghosted vector.
+  /** The integrals of every segment at @p relevant_solution, a ghosted vector,
+   * and @p globals, which have the pressures of chambers without cells.
    * Collective. */
   std::vector<SegmentState>
   segment_states(const Body           &body,
                  const ReferenceField &references,
-                 const Vector         &relevant_solution);
+                 const Vector         &relevant_solution,
+                 const Globals        &globals);
 } // namespace lumbricus
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef lumbricus_program_chain_model_h
 #define lumbricus_program_chain_model_h
 
+#include <lumbricus/cavities/cavities.h>
 #include <lumbricus/checkpoint/checkpoint.h>
 #include <lumbricus/discretization/assembler.h>
 #include <lumbricus/equilibrium/equilibrium.h>
@@ -102,6 +103,7 @@ namespace lumbricus
     SurfaceTerms   surface_terms; ///< tractions, and what the skin remembers
     VolumeTerms    volume_terms;  ///< body forces
     Assembler      assembler;     ///< residual and tangent
+    Cavities       cavities;      ///< chambers without cells
     Equilibrium    equilibrium;   ///< all that Newton's method sees
   };
 } // namespace lumbricus

@@ -5,6 +5,7 @@
 #include <lumbricus/adaptivity/adaptivity.h>
 #include <lumbricus/adaptivity/mesh_refinement.h>
 #include <lumbricus/anatomy/anatomy.h>
+#include <lumbricus/cavities/contents.h>
 #include <lumbricus/checkpoint/checkpoint_schedule.h>
 #include <lumbricus/constraints/interface_coupling.h>
 #include <lumbricus/continuation/continuation.h>
@@ -83,6 +84,7 @@ namespace lumbricus
     InterfaceCoupling    interface_coupling;  ///< section Interface
     BoundaryConditions   boundary_conditions; ///< section Boundary conditions
     BodyForces           body_forces;         ///< section Body forces
+    CavityContents       cavity_contents;     ///< section Cavities
     SymmetryCheck        symmetry_check;      ///< section Boundary conditions
     LoadStepping         load_stepping;       ///< section Time
     LoadCurves           load_curves;         ///< section Time

@@ -17,7 +17,8 @@ namespace lumbricus
       const Body  &body     = context.body;
       const Vector relevant = body.space.with_ghosts(context.state.solution);
       ResetIteration::Solve solve;
-      solve.segments  = segment_states(body, context.references, relevant);
+      solve.segments  = segment_states(
+        body, context.references, relevant, context.state.globals);
       solve.measures  = section_measures(body, relevant);
       solve.qualities = mesh_qualities(body, &relevant);
       solve.divergence.assign(solve.segments.size(), 0.);

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/cavities/content.h>
+#include <lumbricus/parameters/registry.h>
+
+#include <deal.II/base/patterns.h>
+
+namespace lumbricus
+{
+  /** Vhat = V_0 (1 - P/kappa). */
+  class LiquidContent : public CavityContent
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override
+    {
+      prm.add_parameter("Compressibility",
+                        compressibility,
+                        "[mm^2/N] 1/kappa: by which part of its volume the "
+                        "liquid shrinks under a unit of pressure; 0 for an "
+                        "incompressible one. Water has 4.5e-4.",
+                        dealii::Patterns::Double(0.));
+    }
+
+    CavityEquation
+    equation(const CavityPoint &point) const override
+    {
+      const double V_0 = point.volume_at_rest;
+      return {V_0 * (1. - compressibility * point.pressure) - point.volume,
+              -1.,
+              -V_0 * compressibility,
+              V_0};
+    }
+
+  private:
+    double compressibility = 0.;
+  };
+
+  static const Register<CavityContent, LiquidContent>
+    liquid_content("liquid", "a liquid that keeps its volume, or nearly so.");
+} // namespace lumbricus
