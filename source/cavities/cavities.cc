@@ -228,26 +228,4 @@ namespace lumbricus
     return border;
   }
 
-
-
-  void
-  Cavities::visit(const OwnedCell &cell,
-                  const double (&u)[dim][ShapeCache::padded_nodes],
-                  const Globals  &globals,
-                  const Listener &listener)
-  {
-    for (const unsigned int f : cell.iterator->face_indices())
-      {
-        const unsigned int k = faces.at(cell, f);
-        if (k == CavityFaces::none)
-          continue;
-        const double P = globals.at(cavity_pressure)[k];
-        surface.reinit(cell.iterator, f);
-        for (unsigned int q = 0; q < surface.n_points(); ++q)
-          {
-            surface.set(q, u);
-            listener(surface, P * area_out_of_cavity(surface) / surface.JxW);
-          }
-      }
-  }
 } // namespace lumbricus

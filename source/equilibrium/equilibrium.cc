@@ -207,6 +207,7 @@ namespace lumbricus
     throw_if_interrupted(body.space.communicator());
     dealii::TimerOutput::Scope scope(timer, "assembly");
     assembler.linearise(x.solution, time);
+    border = Border();
     if (sources.empty())
       return;
     rhs = assembler.right_hand_side();
@@ -217,11 +218,19 @@ namespace lumbricus
 
 
 
+  const Vector &
+  Equilibrium::right_hand_side() const
+  {
+    return sources.empty() ? assembler.right_hand_side() : rhs;
+  }
+
+
+
   void
   Equilibrium::solve(Unknowns &dx, const double tolerance)
   {
     dealii::TimerOutput::Scope scope(timer, "linear solver");
-    const Vector &b = assembler.right_hand_side();
+    const Vector &b = right_hand_side();
     dx.solution.reinit(b, true);
     if (sources.empty())
       linear_solver.solve(dx.solution, b, tolerance);
@@ -230,7 +239,7 @@ namespace lumbricus
         std::vector<double> dg, c = border.residual;
         for (double &entry : c)
           entry *= -1.;
-        linear_solver.solve(dx.solution, dg, rhs, c, border, tolerance);
+        linear_solver.solve(dx.solution, dg, b, c, border, tolerance);
         dx.globals = border.write(dg);
       }
     supports.constraints().distribute(dx.solution);

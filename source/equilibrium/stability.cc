@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace lumbricus
 {
@@ -49,9 +50,11 @@ namespace lumbricus
 
   Stability::Stability(const Body    &body,
                        const Tangent &tangent,
+                       const Border  &border,
                        LinearSolver  &linear_solver)
     : body(body)
     , tangent(tangent)
+    , border(border)
     , linear_solver(linear_solver)
   {}
 
@@ -137,7 +140,15 @@ namespace lumbricus
   {
     Motion motion;
     tangent.unknowns.reinit_vector(motion.v);
-    linear_solver.solve(motion.v, f, solve_tolerance);
+    if (border.size() == 0)
+      linear_solver.solve(motion.v, f, solve_tolerance);
+    else
+      {
+        std::vector<double>       of_globals;
+        const std::vector<double> none(border.size(), 0.);
+        linear_solver.solve(
+          motion.v, of_globals, f, none, border, solve_tolerance);
+      }
     const double work = motion.v * f;
     const double size = std::sqrt(motion.v * mass(motion.v));
     motion.v /= size;

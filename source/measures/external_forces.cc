@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/cavity_faces.h>
 #include <lumbricus/discretization/element_kernel.h>
+#include <lumbricus/measures/cavity_measures.h>
 #include <lumbricus/measures/external_forces.h>
 
 #include <deal.II/lac/vector.h>
@@ -38,6 +40,8 @@ namespace lumbricus
         }
       for (unsigned int i = 0; i < body_forces.n_forces(); ++i)
         add(ExternalForce::Kind::body_force, body_forces.force(i).name);
+      if (!geometry.cavities().empty())
+        add(ExternalForce::Kind::cavities, "cavities");
       return all;
     }
 
@@ -115,6 +119,7 @@ namespace lumbricus
                   const ReferenceField     &references,
                   const Supports           &supports,
                   const Vector             &solution,
+                  const Globals            &globals,
                   const double              t)
   {
     const MixedSpace &space    = body.space;
@@ -125,7 +130,11 @@ namespace lumbricus
     const unsigned int n_conditions = conditions.n_conditions();
     const unsigned int n_planes     = geometry.symmetry_planes().size();
 
-    const unsigned int first_body_force = all.size() - body_forces.n_forces();
+    const CavityFaces  cavities(geometry);
+    const bool         has_cavities = cavities.size() > 0;
+    const unsigned int first_body_force =
+      all.size() - has_cavities - body_forces.n_forces();
+    SurfaceKernel surface(space);
 
     const Vector      relevant = space.with_ghosts(solution);
     const auto        links    = supports.links();
@@ -183,6 +192,22 @@ namespace lumbricus
                  point.JxW * response.T,
                  point.values);
           });
+        for (const unsigned int f : cell.iterator->face_indices())
+          {
+            const unsigned int k = cavities.at(cell, f);
+            if (k == CavityFaces::none)
+              continue;
+            surface.reinit(cell.iterator, f);
+            for (unsigned int q = 0; q < surface.n_points(); ++q)
+              {
+                surface.set(q, kernel.u);
+                pull(all.back(),
+                     surface.X + surface.u,
+                     globals.at(cavity_pressure)[k] *
+                       area_out_of_cavity(surface),
+                     surface.values);
+              }
+          }
         if (is_pulled)
           volume_terms.visit(cell,
                              kernel.u,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/measures/cavity_measures.h>
 #include <lumbricus/measures/section_measures.h>
 
 #include <deal.II/base/numbers.h>
@@ -73,13 +74,18 @@ namespace lumbricus
     std::vector<dealii::Tensor<1, dim>> u(space.face_quadrature.size());
     std::vector<dealii::Tensor<2, dim>> grad_u(space.face_quadrature.size());
 
+    // Where there is no liquid that has cells, its edge says as much.
     std::vector<Sums> sums(sections.size());
+    std::vector<bool> has_cavity(sections.size(), false);
+    for (const CavityWall &cavity : geometry.cavities())
+      has_cavity[cavity.segment] = true;
     for (const OwnedCell cell : body.owned_cells())
       {
         const SegmentSections &section = sections[cell.region.segment];
         Sums                  &sum     = sums[cell.region.segment];
         const bool             wall    = tissues[cell.region.tissue].wall_layer;
-        const bool             middle  = cell.is_liquid == has_liquid;
+        const bool             middle  = cell.is_liquid == has_liquid &&
+                             !has_cavity[cell.region.segment];
         for (const auto &face : cell.iterator->face_iterators())
           {
             const double x  = face->center()[0];
@@ -124,6 +130,9 @@ namespace lumbricus
           }
       }
     sum_over_ranks(sums, space.communicator());
+    const auto of_cavities = cavity_sections(body, relevant_solution);
+    for (unsigned int k = 0; k < of_cavities.size(); ++k)
+      sums[geometry.cavities()[k].segment].middle = of_cavities[k];
 
     // The mirror images cancel what is normal to a plane of symmetry.
     std::vector<SectionMeasures> measures;

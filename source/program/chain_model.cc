@@ -168,6 +168,7 @@ namespace lumbricus
                            references,
                            supports,
                            state.solution,
+                           state.globals,
                            state.time);
   }
 

@@ -74,12 +74,13 @@ namespace lumbricus
   {
     const Stability    stability(model.body,
                               model.assembler.tangent(),
+                              model.equilibrium.linearised_border(),
                               *model.parameters.linear_solver.get());
     std::ostringstream words;
     try
       {
         linearise(model, state, next);
-        const Vector loads = model.assembler.right_hand_side();
+        const Vector loads = model.equilibrium.right_hand_side();
         linearise(model, state, now);
         const auto   softest  = stability.softest_motion();
         const auto   answer   = stability.response(loads);

@@ -36,6 +36,7 @@ namespace lumbricus
     model.equilibrium.linearise({state.solution, state.globals});
     const Stability stability(model.body,
                               model.assembler.tangent(),
+                              model.equilibrium.linearised_border(),
                               *model.parameters.linear_solver.get());
     try
       {

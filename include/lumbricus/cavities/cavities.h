@@ -10,7 +10,6 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
-#include <functional>
 #include <vector>
 
 namespace lumbricus
@@ -35,10 +34,6 @@ namespace lumbricus
   class Cavities : public BorderSource
   {
   public:
-    /** What a point of the wall around a cavity has of its pressure. */
-    using Listener = std::function<void(const SurfaceKernel          &point,
-                                        const dealii::Tensor<1, dim> &T)>;
-
     /** Of the geometry of @p body. All of these are kept by reference. */
     Cavities(const Body           &body,
              const CellUnknowns   &unknowns,
@@ -65,17 +60,6 @@ namespace lumbricus
            const LoadTime &t,
            Tangent        *tangent,
            Vector         &r) override;
-
-    /**
-     * Call @p listener at the quadrature points of all faces that @p cell has
-     * around cavities, where the nodes have the displacements @p u, with the
-     * traction per area at rest under the pressures of @p globals.
-     */
-    void
-    visit(const OwnedCell &cell,
-          const double (&u)[dim][ShapeCache::padded_nodes],
-          const Globals  &globals,
-          const Listener &listener);
 
   private:
     /** A face around a cavity. */

@@ -43,6 +43,17 @@ namespace lumbricus
     const std::vector<BorderSource *> &
     borders() const;
 
+    /** The right-hand side -r of linearise(), with what the borders add. */
+    const Vector &
+    right_hand_side() const;
+
+    /** What they make of the state that was linearised last. */
+    const Border &
+    linearised_border() const
+    {
+      return border;
+    }
+
     /** All global unknowns, with their values at rest. */
     Globals
     globals_at_rest() const;

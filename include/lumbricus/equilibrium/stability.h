@@ -24,9 +24,11 @@ namespace lumbricus
   class Stability
   {
   public:
-    /** Of the linearisation @p tangent, with which @p linear_solver solves. */
+    /** Of the linearisation @p tangent with @p border around it, with which
+     * @p linear_solver solves. All of these are kept by reference. */
     Stability(const Body    &body,
               const Tangent &tangent,
+              const Border  &border,
               LinearSolver  &linear_solver);
 
     /** A motion and its stiffness. */
@@ -69,6 +71,7 @@ namespace lumbricus
 
     const Body     body;
     const Tangent &tangent;
+    const Border  &border;
     LinearSolver  &linear_solver;
   };
 } // namespace lumbricus

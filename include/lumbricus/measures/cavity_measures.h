@@ -25,6 +25,19 @@ namespace lumbricus
   double
   volume_in_cavity(const SurfaceKernel &surface);
 
+  /**
+   * For every cavity the area vector of its section in the middle of its segment,
+   * as the curve in which that meets the wall has it,
+   *
+   *   1/2 int x X dx  [mm^2],
+   *
+   * of the part that is computed and but for what lies in planes of symmetry,
+   * towards the tail, at @p relevant_solution, a ghosted vector. Zero where no
+   * edges of the mesh lie there. Collective.
+   */
+  std::vector<dealii::Tensor<1, dim>>
+  cavity_sections(const Body &body, const Vector &relevant_solution);
+
   /** The volume of every cavity, of the part that is computed, at
    * @p relevant_solution, a ghosted vector [mm^3]. Collective. */
   std::vector<double>

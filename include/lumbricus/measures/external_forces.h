@@ -30,6 +30,7 @@ namespace lumbricus
     {
       condition,      ///< a section of Boundary conditions
       body_force,     ///< a section of Body forces
+      cavities,       ///< the pressures of chambers without cells
       symmetry,       ///< the other half, at a plane of mirror symmetry
       minimal_support ///< one displacement that it holds
     };
@@ -56,7 +57,8 @@ namespace lumbricus
   /**
    * The forces of all loads and supports at @p solution and time @p t: those
    * with a name in the order of the names, the planes of symmetry, what the
-   * minimal support holds, and the body forces. @p references and @p terms have to be up to date.
+   * minimal support holds, the body forces, and the cavities under the pressures
+   * in @p globals. @p references and @p terms have to be up to date.
    * Collective.
    */
   std::vector<ExternalForce>
@@ -68,6 +70,7 @@ namespace lumbricus
                   const ReferenceField     &references,
                   const Supports           &supports,
                   const Vector             &solution,
+                  const Globals            &globals,
                   const double              t);
 } // namespace lumbricus
 

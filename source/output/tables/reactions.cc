@@ -57,6 +57,8 @@ namespace lumbricus
                         "symmetry plane" :
                       entry.kind == ExternalForce::Kind::body_force ?
                         "body force" :
+                      entry.kind == ExternalForce::Kind::cavities ?
+                        "cavities" :
                         "boundary condition",
                       entry.name,
                       entry);
