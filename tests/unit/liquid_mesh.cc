@@ -245,7 +245,8 @@ end
     const auto segments =
       segment_states(model.body,
                      model.references,
-                     model.space.with_ghosts(body.state.solution));
+                     model.space.with_ghosts(body.state.solution),
+                     body.state.globals);
     for (unsigned int s = 0; s < 2; ++s)
       {
         EXPECT_GT(good[s].liquid, bad[s].liquid);
