@@ -103,6 +103,9 @@ namespace lumbricus
     VolumeTerms    volume_terms;  ///< body forces
     Assembler      assembler;     ///< residual and tangent
     Equilibrium    equilibrium;   ///< all that Newton's method sees
+
+  private:
+    const ResetIteration::Model reset_model;
   };
 } // namespace lumbricus
 
