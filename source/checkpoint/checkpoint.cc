@@ -109,7 +109,7 @@ namespace lumbricus
 
 
 
-    // The same, as the manifest says it is.
+    // The content of a regular file, which is what the manifest says.
     std::string
     read_listed(const std::string   &path,
                 const std::string   &name,

@@ -39,7 +39,7 @@ namespace lumbricus
       std::string kind;
     };
 
-    /** Those of the hexahedra only. */
+    /** The vertices of hexahedra only. */
     std::vector<dealii::Point<dim>> vertices;
     /** Hexahedra in deal.II's numbering; the material id is the tag. */
     std::vector<dealii::CellData<dim>> cells;

@@ -30,11 +30,11 @@ namespace lumbricus
     const std::string &
     name() const;
 
-    /** That of @p state: numbered by MixedSpace::rest_dof_handler, owned
+    /** The history in @p state: numbered by MixedSpace::rest_dof_handler, owned
      * entries. Not for the innermost loop. */
     Vector &
     in(State &state) const;
-    /** The same, to read. */
+    /** The history in @p state, to read. */
     const Vector &
     in(const State &state) const;
 
