@@ -24,7 +24,7 @@ namespace lumbricus
     {
       /** By their numbers in MshFile::vertices. */
       FaceKey vertices;
-      /** That of the physical surface. */
+      /** The tag of the physical surface. */
       unsigned int tag;
     };
 
@@ -33,7 +33,7 @@ namespace lumbricus
     {
       /** Three of its corners, by their numbers in MshFile::vertices. */
       std::array<unsigned int, 3> corners;
-      /** That of the physical surface. */
+      /** The tag of the physical surface. */
       unsigned int tag;
       /** What it is, in the plural. */
       std::string kind;

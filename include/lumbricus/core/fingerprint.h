@@ -43,7 +43,7 @@ namespace lumbricus
     void
     add(const std::string &more);
 
-    /** That of what there is so far. */
+    /** The fingerprint of what there is so far. */
     Fingerprint
     value() const;
 

@@ -26,7 +26,7 @@ namespace lumbricus
     NodalHistory &
     operator=(const NodalHistory &) = delete;
 
-    /** That it was defined with. */
+    /** The name that the history was defined with. */
     const std::string &
     name() const;
 

@@ -98,7 +98,7 @@ namespace lumbricus
       dealii::FilteredIterator<dealii::DoFHandler<dim>::active_cell_iterator>>
     owned_cells() const;
 
-    /** That of the mesh. */
+    /** The communicator of the mesh. */
     MPI_Comm
     communicator() const;
 

@@ -19,7 +19,7 @@ namespace lumbricus
   class Field
   {
   public:
-    /** What its value is. */
+    /** What the value of the field is. */
     enum class Kind
     {
       scalar,         ///< a number
@@ -30,7 +30,7 @@ namespace lumbricus
 
     virtual ~Field() = default;
 
-    /** What its value is. */
+    /** What the value of the field is. */
     virtual Kind
     kind() const = 0;
 
