@@ -58,6 +58,8 @@ namespace lumbricus
   class CrossSection::Builder
   {
   public:
+    /** For @p section, which is kept by reference and is empty so far; the
+     * other arguments are those of its constructor. */
     Builder(CrossSection      &section,
             const unsigned int n_around_quarter,
             const unsigned int n_disk_rings)
