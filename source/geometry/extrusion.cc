@@ -95,7 +95,8 @@ namespace lumbricus
           if (cell->at_boundary(f))
             cell->face(f)->set_boundary_id(
               boundary(surface_of(quad, f), quad.ring));
-        // This includes the faces shared with the disk.
+        // A cell of the wall passes its manifold on to the faces that it
+        // shares with the disk.
         if (quad.ring > 0)
           cell->set_all_manifold_ids(cylindrical_manifold_id);
       }

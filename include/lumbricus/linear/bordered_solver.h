@@ -29,7 +29,8 @@ namespace lumbricus
   class BorderedSolver
   {
   public:
-    /** Both are kept by reference; the solver has been given the tangent. */
+    /** Both arguments are kept by reference; the solver has been given the
+     * tangent. */
     BorderedSolver(LinearSolver &linear_solver, const Tangent &tangent);
 
     /**

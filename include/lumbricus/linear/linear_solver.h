@@ -49,7 +49,7 @@ namespace lumbricus
     virtual void
     solve(Vector &x, const Vector &b, const double tolerance) = 0;
 
-    /** What it did since it was made. */
+    /** What the solver did since it was made. */
     const LinearSolverStatistics &
     statistics() const
     {
