@@ -40,14 +40,14 @@ def state_of_run(run, summary):
 
 def numbers_of_segments(run, summary):
     columns = [
-        ("liquid at rest [mm³]", summary.fluid_volume, 6),
-        ("its largest relative change", summary.fluid_change, 3),
+        ("liquid at rest [mm³]", summary.liquid_volume, 6),
+        ("its largest relative change", summary.liquid_change, 3),
         ("wall at rest [mm³]", summary.wall_volume, 6),
         ("its largest relative change", summary.wall_change, 3),
         ("largest pressure [N/mm²]", summary.pressure, 3),
         ("largest η", summary.eta, 3),
         ("longest / shortest", summary.length_ratio, 4),
-        ("least quality, liquid", summary.fluid_quality, 3),
+        ("least quality, liquid", summary.liquid_quality, 3),
         ("least quality, wall", summary.wall_quality, 3)]
     rows = [[segment, *(number(values[i], digits)
                         for _, values, digits in columns)]

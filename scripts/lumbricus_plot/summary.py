@@ -22,14 +22,14 @@ class Summary:
 
     def __init__(self, run):
         length = run.field("length")
-        self.fluid_volume = run.field("fluid_volume")[0]
-        self.fluid_change = largest_change(run.field("fluid_volume"))
+        self.liquid_volume = run.field("fluid_volume")[0]
+        self.liquid_change = largest_change(run.field("fluid_volume"))
         self.wall_volume = run.field("wall_volume")[0]
         self.wall_change = largest_change(run.field("wall_volume"))
         self.eta = run.field("eta").max(axis=0)
         with np.errstate(invalid="ignore", divide="ignore"):
             self.length_ratio = length.max(axis=0) / length.min(axis=0)
-        self.fluid_quality = run.field("fluid_mesh_quality").min(axis=0)
+        self.liquid_quality = run.field("fluid_mesh_quality").min(axis=0)
         self.wall_quality = run.field("wall_mesh_quality").min(axis=0)
         self.pressure = run.field("fluid_pressure").max(axis=0)
 
@@ -44,7 +44,7 @@ class Summary:
         """(what, value, how to write it) over all segments."""
         return [
             ("largest relative change of a liquid's volume",
-             extreme(np.max, self.fluid_change)),
+             extreme(np.max, self.liquid_change)),
             ("largest relative change of a wall's volume",
              extreme(np.max, self.wall_change)),
             ("largest divergence η at the end of a step",
@@ -52,7 +52,7 @@ class Summary:
             ("largest ratio of longest to shortest length of a segment",
              extreme(np.max, self.length_ratio)),
             ("least quality of the liquid's mesh",
-             extreme(np.min, self.fluid_quality)),
+             extreme(np.min, self.liquid_quality)),
             ("least quality of the wall's mesh",
              extreme(np.min, self.wall_quality))]
 

@@ -14,7 +14,7 @@ namespace lumbricus
 
 
 
-    // Those of all ranks.
+    // The values of all ranks, rank by rank.
     std::vector<double>
     gather(const std::vector<double> &values, const MPI_Comm comm)
     {

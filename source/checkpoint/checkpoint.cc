@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <numeric>
-#include <sstream>
 #include <system_error>
+
+#include "checkpoint_files.h"
 
 namespace lumbricus
 {
@@ -20,114 +20,8 @@ namespace lumbricus
   {
     namespace files = std::filesystem;
 
-    const std::string mesh_header = "cells that are refined\n";
-
     // The largest text that is read: no run has that many pictures.
     constexpr std::uintmax_t largest_text = 1 << 28;
-
-
-
-    std::string
-    content_of(const std::string &file_name)
-    {
-      std::ifstream in(file_name, std::ios::binary);
-      return {std::istreambuf_iterator<char>(in), {}};
-    }
-
-
-
-    // Write a file and read it back. @return its line in the manifest.
-    std::string
-    write_and_check(const RunFolder   &folder,
-                    const std::string &checkpoint,
-                    const std::string &name,
-                    const std::string &content)
-    {
-      folder.write(checkpoint_in_folder(checkpoint) + "/" + name,
-                   [&](std::ostream &out) { out << content; });
-      const std::string file_name =
-        checkpoint_path(folder, checkpoint) + "/" + name;
-      AssertThrow(content_of(file_name) == content,
-                  ExcSolveFailed("The file '" + file_name +
-                                 "' is not on disk as it was written. Check "
-                                 "the disk."));
-      return Manifest::line_of_file(name, fingerprint(content));
-    }
-
-
-
-    std::string
-    mesh_content(const std::set<CellKey> &refined)
-    {
-      std::string content = mesh_header;
-      for (const CellKey &key : refined)
-        content.append(reinterpret_cast<const char *>(key.data()),
-                       sizeof(CellKey));
-      return content;
-    }
-
-
-
-    // The files that the first rank writes. @return their lines.
-    std::string
-    write_common_files(const RunFolder         &folder,
-                       const std::string       &checkpoint,
-                       const std::set<CellKey> &refined,
-                       const RunProgress       &progress,
-                       const RunRequest        &request)
-    {
-      std::ostringstream text;
-      progress.write(text);
-      const auto write = [&](const std::string &name,
-                             const std::string &content) {
-        return write_and_check(folder, checkpoint, name, content);
-      };
-      return write(Manifest::mesh, mesh_content(refined)) +
-             write(Manifest::progress, text.str()) +
-             write(Manifest::inputs, to_text(request.input_files)) +
-             write(Manifest::parameters, request.parameters);
-    }
-
-
-
-    // The whole of a file that has to be there, of no more than @p most bytes.
-    std::string
-    read_regular(const std::string   &path,
-                 const std::string   &name,
-                 const std::uintmax_t most)
-    {
-      const std::string file_name = path + "/" + name;
-      std::error_code   error;
-      AssertThrow(files::is_regular_file(
-                    files::symlink_status(file_name, error)),
-                  ExcDamaged("does not have the file '" + name + "'."));
-      AssertThrow(files::file_size(file_name, error) <= most,
-                  ExcDamaged("has a file '" + name + "' of more than " +
-                             std::to_string(most) + " bytes."));
-      return content_of(file_name);
-    }
-
-
-
-    // The same, as the manifest says it is.
-    std::string
-    read_listed(const std::string   &path,
-                const std::string   &name,
-                const Manifest      &manifest,
-                const std::uintmax_t most)
-    {
-      const std::string content = read_regular(path, name, most);
-      const Fingerprint listed  = manifest.files.at(name);
-      AssertThrow(content.size() == listed.size,
-                  ExcDamaged("has a file '" + name + "' of " +
-                             std::to_string(content.size()) +
-                             " bytes instead of " +
-                             std::to_string(listed.size) + "."));
-      AssertThrow(fingerprint(content) == listed,
-                  ExcDamaged("has a file '" + name +
-                             "' whose checksum is wrong."));
-      return content;
-    }
 
 
 
@@ -158,68 +52,6 @@ namespace lumbricus
              "the run from its parameter file.";
     }
   } // namespace
-
-
-
-  void
-  write_checkpoint(const RunFolder    &folder,
-                   const ParallelMesh &triangulation,
-                   const MixedSpace   &space,
-                   const State        &state,
-                   const RunProgress  &progress,
-                   const RunRequest   &request)
-  {
-    const MPI_Comm     comm = space.communicator();
-    const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(comm);
-    const std::string  name = checkpoint_name(progress.step);
-
-    const auto         refined = refined_cells(triangulation);
-    std::ostringstream cells;
-    write_cells(space, state, cells);
-
-    folder.on_first_rank([&]() { make_checkpoint_folder(folder, name); });
-
-    std::string lines, reason;
-    try
-      {
-        if (rank == 0)
-          lines = write_common_files(folder, name, refined, progress, request);
-        lines +=
-          write_and_check(folder, name, Manifest::cells(rank), cells.str());
-      }
-    catch (const ExcSolveFailed &exception)
-      {
-        reason = plain_message(exception);
-      }
-    lines +=
-      Manifest::line_of_cells(rank,
-                              triangulation.n_locally_owned_active_cells(),
-                              cell_record_size(progress.histories.size(),
-                                               progress.past.size()));
-    const auto all_lines = dealii::Utilities::MPI::gather(comm, lines);
-    reason               = first_message(reason, comm);
-
-    if (reason.empty() && rank == 0)
-      try
-        {
-          write_and_check(
-            folder,
-            name,
-            Manifest::file_name,
-            Manifest::text(folder.record().run_id(),
-                           std::accumulate(all_lines.begin(),
-                                           all_lines.end(),
-                                           std::string())));
-          remove_old_checkpoints(folder, name);
-        }
-      catch (const ExcSolveFailed &exception)
-        {
-          reason = plain_message(exception);
-        }
-    if (!reason.empty() && rank == 0)
-      remove_checkpoint(folder, name);
-    throw_on_all_ranks<ExcSolveFailed>(reason, comm);
-  }
 
 
 
@@ -311,16 +143,12 @@ namespace lumbricus
     texts.inputs     = listed(Manifest::inputs, largest_text);
     texts.parameters = listed(Manifest::parameters, largest_text);
 
-    // A cell that is cut gives eight, of which seven are more than before.
     const std::uintmax_t n_cells =
       std::accumulate(manifest.cells_of_rank.begin(),
                       manifest.cells_of_rank.end(),
                       std::uintmax_t(0));
-    texts.mesh = listed(Manifest::mesh,
-                        mesh_header.size() + n_cells / 7 * sizeof(CellKey));
-    AssertThrow(texts.mesh.compare(0, mesh_header.size(), mesh_header) == 0 &&
-                  (texts.mesh.size() - mesh_header.size()) % sizeof(CellKey) ==
-                    0,
+    texts.mesh = listed(Manifest::mesh, largest_mesh_content(n_cells));
+    AssertThrow(is_mesh_content(texts.mesh),
                 ExcDamaged("has a file '" + Manifest::mesh +
                            "' that is not one of cells."));
 
@@ -404,17 +232,7 @@ namespace lumbricus
   void
   Checkpoint::refine(ParallelMesh &triangulation) const
   {
-    std::set<CellKey> refined;
-    for (std::size_t at = mesh_header.size(); at < mesh.size();
-         at += sizeof(CellKey))
-      {
-        CellKey key;
-        std::copy_n(mesh.data() + at,
-                    sizeof(CellKey),
-                    reinterpret_cast<char *>(key.data()));
-        refined.insert(key);
-      }
-    refine_cells(triangulation, refined);
+    refine_cells(triangulation, refined_in(mesh));
   }
 
 

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/constraints/local_constraints.h>
 #include <lumbricus/constraints/supports.h>
-#include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/discretization/loaded_points.h>
 
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tuple>
-#include <utility>
 
 namespace lumbricus
 {
@@ -36,6 +33,7 @@ namespace lumbricus
     , geometry(anatomy.geometry())
     , conditions(conditions)
     , interface(space, anatomy, coupling)
+    , least(geometry, conditions)
   {}
 
 
@@ -52,9 +50,12 @@ namespace lumbricus
 
     auto motions = held_motions();
     held         = std::make_unique<RigidMotions>(motions[0]);
-    hold_wall(motions[0]);
+    hold(least.of_wall(motions[0]), 0);
+    // What the wall leaves free of a liquid that slips is a spin about the
+    // axis of a full cross-section, and to move out of an open tube. One
+    // vertex inside holds both motions.
     for (unsigned int s = 0; s + 1 < motions.size(); ++s)
-      hold_liquid(motions[s + 1], s);
+      hold(least.of_liquid(motions[s + 1], s, vertex_in_liquid(s)), s + 1);
     close();
   }
 
@@ -171,7 +172,7 @@ namespace lumbricus
 
 
 
-  const std::vector<Supports::HeldPoint> &
+  const std::vector<MinimalSupport::HeldPoint> &
   Supports::minimal_support() const
   {
     return held_points;
@@ -281,26 +282,12 @@ namespace lumbricus
       for (const auto &normal : interface.normals(pair))
         motions[pair.segment + 1].hold(pair.X, normal / normal.norm());
 
-    dealii::FEFaceValues<dim> face_values(space.mapping,
-                                          space.fe,
-                                          space.face_quadrature,
-                                          dealii::update_quadrature_points |
-                                            dealii::update_normal_vectors);
-    for (const auto &cell : space.owned_cells())
-      for (const auto &face : cell->face_iterators())
-        if (face->at_boundary())
-          for (const unsigned int i :
-               conditions.surface_terms_on(face->boundary_id()))
-            {
-              face_values.reinit(mesh_cell(cell), face);
-              for (const unsigned int q :
-                   face_values.quadrature_point_indices())
-                for (const auto &direction :
-                     conditions.condition(i).surface_term()->elastic_directions(
-                       face_values.normal_vector(q)))
-                  motions[body_of(cell->material_id())].hold(
-                    face_values.quadrature_point(q), direction);
-            }
+    for (const LoadedPoint &point : loaded_points(space, conditions))
+      for (const auto &direction :
+           conditions.condition(point.condition)
+             .surface_term()
+             ->elastic_directions(point.N))
+        motions[body_of(point.material)].hold(point.X, direction);
     for (RigidMotions &of_body : motions)
       of_body.merge(space.communicator());
     return motions;
@@ -308,79 +295,30 @@ namespace lumbricus
 
 
 
-  void
-  Supports::hold_wall(RigidMotions &motions)
+  dealii::Point<dim>
+  Supports::vertex_in_liquid(const unsigned int segment) const
   {
-    if (conditions.minimal_support())
-      {
-        // The statically determinate support: A in x, y, z; B in y, z; C in y,
-        // as far as nothing holds these motions yet. The same on all ranks.
-        const auto points = geometry.support_points();
-        const std::pair<unsigned int, unsigned int> candidates[] = {
-          {0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 1}};
-        for (const auto &[point, direction] : candidates)
-          if (motions.hold(points[point], unit_vector(direction)))
-            hold_vertex(points[point], direction, 0);
-      }
-
-    AssertThrow(motions.all_held(),
-                ExcInput(
-                  "The body can still move rigidly: " + motions.free_motions() +
-                  ". Set 'Boundary conditions/Minimal support' to true, "
-                  "or add a condition of type 'displacement' or "
-                  "'spring' that holds it."));
+    std::set<dealii::types::global_dof_index> on_interface;
+    for (const SlipInterface::NodePair &pair : interface.pairs())
+      on_interface.insert(pair.liquid[0]);
+    return MinimalSupport::outermost_vertex(
+      space, [&](const auto &cell, const dealii::types::global_dof_index i) {
+        return body_of(cell->material_id()) == segment + 1 &&
+               on_interface.count(i) == 0 && !base.is_constrained(i);
+      });
   }
 
 
 
   void
-  Supports::hold_liquid(RigidMotions &motions, const unsigned int segment)
+  Supports::hold(const std::vector<MinimalSupport::HeldPoint> &points,
+                 const unsigned int                            body)
   {
-    // What the wall leaves free of a liquid that slips is a spin about the
-    // axis of a full cross-section, and to move out of an open tube. One
-    // vertex inside holds both; which one is the same on any number of ranks.
-    std::set<dealii::types::global_dof_index> on_interface;
-    for (const SlipInterface::NodePair &pair : interface.pairs())
-      on_interface.insert(pair.liquid[0]);
-
-    std::vector<dealii::Point<dim>> candidates(1);
-    for (const auto &cell : space.owned_cells())
-      if (body_of(cell->material_id()) == segment + 1)
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            const auto i =
-              cell->vertex_dof_index(v, 0, cell->active_fe_index());
-            const auto &X    = cell->vertex(v);
-            const auto &best = candidates[0];
-            if (on_interface.count(i) == 0 && !base.is_constrained(i) &&
-                std::make_tuple(X[1], X[2], X[0]) >
-                  std::make_tuple(best[1], best[2], best[0]))
-              candidates[0] = X;
-          }
-    candidates =
-      dealii::Utilities::MPI::all_gather(space.communicator(), candidates[0]);
-    const auto X =
-      *std::max_element(candidates.begin(),
-                        candidates.end(),
-                        [](const auto &a, const auto &b) {
-                          return std::make_tuple(a[1], a[2], a[0]) <
-                                 std::make_tuple(b[1], b[2], b[0]);
-                        });
-
-    if (conditions.minimal_support())
-      for (unsigned int direction = 0; direction < dim; ++direction)
-        if (motions.hold(X, unit_vector(direction)))
-          hold_vertex(X, direction, segment + 1);
-
-    AssertThrow(motions.all_held(),
-                ExcInput("The liquid of segment " +
-                         std::to_string(segment + 1) +
-                         ", which slips along the wall, can still move "
-                         "rigidly: " +
-                         motions.free_motions() +
-                         ". Set 'Boundary conditions/Minimal support' to true, "
-                         "or add a condition of type 'displacement' or "
-                         "'spring' that holds it."));
+    for (const auto &[X, direction] : points)
+      {
+        held_points.push_back({X, direction});
+        hold_vertex(X, direction, body);
+      }
   }
 
 
@@ -390,7 +328,6 @@ namespace lumbricus
                         const unsigned int        direction,
                         const unsigned int        body)
   {
-    held_points.push_back({X, direction});
     const double tolerance = 1e-8 * geometry.characteristic_length();
     for (const auto &cell : space.dof_handler.active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())

@@ -77,14 +77,11 @@ namespace lumbricus
 
 
   ResetIteration::Report
-  ResetIteration::solve(State               &state,
-                        const Vector        &guess,
-                        Equilibrium         &equilibrium,
-                        const Newton        &newton,
-                        ReferenceField      &references,
-                        const Body          &body,
-                        dealii::TimerOutput &timer) const
+  ResetIteration::solve(State        &state,
+                        const Vector &guess,
+                        const Model  &model) const
   {
+    const Body        &body       = model.body;
     const unsigned int n_segments = body.anatomy.geometry().n_segments();
     Report             report;
     report.n_resets.assign(n_segments, 0);
@@ -93,14 +90,17 @@ namespace lumbricus
     for (unsigned int n_resets = 0;; ++n_resets)
       {
         Solve solve;
-        equilibrium.start_from(state.solution);
-        solve.newton   = newton.solve(equilibrium, x);
+        model.equilibrium.start_from(state.solution);
+        solve.newton   = model.newton.solve(model.equilibrium, x);
         state.solution = x.solution;
         state.globals  = x.globals;
 
-        dealii::TimerOutput::Scope scope(timer, "reset");
+        dealii::TimerOutput::Scope scope(model.timer, "reset");
         const Vector relevant = body.space.with_ghosts(state.solution);
-        solve.segments        = segment_states(body, references, relevant, state.globals);
+        solve.segments        = segment_states(body,
+                                               model.references,
+                                               relevant,
+                                               state.globals);
         solve.measures        = section_measures(body, relevant);
         solve.qualities       = mesh_qualities(body, &relevant);
         for (const SegmentState &segment : solve.segments)
@@ -126,7 +126,7 @@ namespace lumbricus
           return report;
 
         reset(state, is_reset, body);
-        references.update_liquid(state);
+        model.references.update_liquid(state);
         for (unsigned int s = 0; s < n_segments; ++s)
           report.n_resets[s] += is_reset[s];
       }

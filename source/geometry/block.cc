@@ -83,7 +83,7 @@ namespace lumbricus
     bool
     mirrored(const unsigned int d) const;
 
-    /** The same by the number of the face. */
+    /** Whether the face of this number is a mirror plane. */
     bool
     mirror_face(const unsigned int face) const
     {

@@ -35,6 +35,113 @@ namespace lumbricus
 
 
 
+    // The direction of the angle pi/2 * a/(2m), symmetric about the diagonal.
+    Point<2>
+    on_unit_circle(const unsigned int a, const unsigned int m)
+    {
+      const unsigned int b     = std::min(a, 2 * m - a);
+      const double       angle = dealii::numbers::PI_4 * b / m;
+      const double       c = std::cos(angle), s = std::sin(angle);
+      return b == a ? Point<2>(c, s) : Point<2>(s, c);
+    }
+  } // namespace
+
+
+
+  /**
+   * Makes the vertices and quads of a section from inside to outside. Quarters
+   * are counted counterclockwise from the positive y axis; a half starts with
+   * the fourth of them. A line of vertices around the axis is closed in a full
+   * section and open else; vertex a of a line is at the angle a/(2m) of a right
+   * angle.
+   */
+  class CrossSection::Builder
+  {
+  public:
+    /** For @p section, which is kept by reference and is empty so far; the
+     * other arguments are those of its constructor. */
+    Builder(CrossSection      &section,
+            const unsigned int n_around_quarter,
+            const unsigned int n_disk_rings)
+      : section(section)
+      , n_around_quarter(n_around_quarter)
+      , n_disk_rings(n_disk_rings)
+      , m(n_around_quarter / 2)
+      , n_quarters(section.part == Part::full ? 4 :
+                   section.part == Part::half ? 2 :
+                                                1)
+      , first_quarter(section.part == Part::half ? 3 : 0)
+      , closed(section.part == Part::full)
+      , n_angles(n_quarters * n_around_quarter)
+      , core(m, n_disk_rings)
+      , line(closed ? n_angles : n_angles + 1)
+    {}
+
+    /** The quads of the core. */
+    void
+    add_core()
+    {
+      for (unsigned int q = 0; q < n_quarters; ++q)
+        for (unsigned int j = 0; j < m; ++j)
+          for (unsigned int i = 0; i < m; ++i)
+            // Starting at the corner with the lowest y and z makes the lines
+            // of all cells of the core point along the positive axes.
+            section.add_quad({{core_vertex(q, i, j),
+                               core_vertex(q, i + 1, j),
+                               core_vertex(q, i + 1, j + 1),
+                               core_vertex(q, i, j + 1)}},
+                             4 - (first_quarter + q) % 4,
+                             0);
+    }
+
+    /** Start the lines with the outline of the core. */
+    void
+    start_around_core()
+    {
+      for (unsigned int a = 0; a < line.size(); ++a)
+        {
+          const unsigned int q = quarter_of(a);
+          const unsigned int b = a - q * n_around_quarter;
+          line[a] =
+            b <= m ? core_vertex(q, m, b) : core_vertex(q, 2 * m - b, m);
+        }
+    }
+
+    /** Start the lines with the innermost circle of a hollow section. */
+    void
+    start_on_circle()
+    {
+      for (unsigned int a = 0; a < line.size(); ++a)
+        line[a] = add_vertex({circle_point(a), 0, 1.});
+    }
+
+    /** The rings between the outline of the core and the circle of the
+     * liquid. */
+    void
+    add_disk_rings()
+    {
+      const std::vector<unsigned int> core_line = line;
+      for (unsigned int k = 1; k <= n_disk_rings; ++k)
+        append_line(0, [&](const unsigned int a) -> Vertex {
+          if (k == n_disk_rings)
+            return {circle_point(a), 0, 1.};
+          const double    f      = double(k) / n_disk_rings;
+          const Point<2> &inside = section.vertices[core_line[a]].direction;
+          return {Point<2>((1 - f) * inside + f * circle_point(a)), 0, 1.};
+        });
+    }
+
+    /** The rings of a layer of the wall, counted from 1. */
+    void
+    add_layer(const unsigned int layer, const unsigned int n_cells)
+    {
+      for (unsigned int k = 1; k <= n_cells; ++k)
+        append_line(layer, [&](const unsigned int a) -> Vertex {
+          return {circle_point(a), layer, double(k) / n_cells};
+        });
+    }
+
+  private:
     // The core of one quarter in the unit disk. Its outer edges are bulged
     // (parabolas from the axes to the corner), so that the three cells that
     // meet at the corner share the full angle more evenly.
@@ -62,18 +169,86 @@ namespace lumbricus
       const double       bulge;
     };
 
-
-
-    // The direction of the angle pi/2 * a/(2m), symmetric about the diagonal.
-    Point<2>
-    on_unit_circle(const unsigned int a, const unsigned int m)
+    unsigned int
+    add_vertex(const Vertex &vertex)
     {
-      const unsigned int b     = std::min(a, 2 * m - a);
-      const double       angle = dealii::numbers::PI_4 * b / m;
-      const double       c = std::cos(angle), s = std::sin(angle);
-      return b == a ? Point<2>(c, s) : Point<2>(s, c);
+      section.vertices.push_back(vertex);
+      return section.vertices.size() - 1;
     }
-  } // namespace
+
+    // A vertex of the core: quarter q counted from the first, i and j along
+    // its two edges. The second edge of a quarter is the first of the next.
+    unsigned int
+    core_vertex(unsigned int q, unsigned int i, unsigned int j)
+    {
+      if (i == 0 && j == 0)
+        q = 0;
+      else if (i == 0 && (closed || q + 1 < n_quarters))
+        {
+          q = (q + 1) % n_quarters;
+          std::swap(i, j);
+        }
+      const auto entry =
+        core_numbers.emplace(std::array<unsigned int, 3>{{q, i, j}},
+                             section.n_vertices());
+      if (entry.second)
+        add_vertex({turned(core.position(i, j), first_quarter + q), 0, 1.});
+      return entry.first->second;
+    }
+
+    // The quarter that vertex a of a line is computed in.
+    unsigned int
+    quarter_of(const unsigned int a) const
+    {
+      return std::min(a / n_around_quarter, n_quarters - 1);
+    }
+
+    // The direction of vertex a of a line.
+    Point<2>
+    circle_point(const unsigned int a) const
+    {
+      const unsigned int q = quarter_of(a);
+      return turned(on_unit_circle(a - q * n_around_quarter, m),
+                    first_quarter + q);
+    }
+
+    // Join the last line with a new one by quads, which belong to @p ring. As
+    // in the core, lines that face each other point the same way.
+    template <typename VertexAt>
+    void
+    append_line(const unsigned int ring, const VertexAt &vertex_at)
+    {
+      std::vector<unsigned int> next;
+      for (unsigned int a = 0; a < line.size(); ++a)
+        next.push_back(add_vertex(vertex_at(a)));
+      for (unsigned int a = 0; a < n_angles; ++a)
+        {
+          const unsigned int b = (a + 1) % line.size();
+          // 0: around the positive y axis, then counterclockwise.
+          const unsigned int sector = ((2 * first_quarter + a / m + 1) / 2) % 4;
+          const bool         turned_about = sector == 1 || sector == 2;
+          section.add_quad({{line[a], next[a], next[b], line[b]}},
+                           turned_about ? 3 : 0,
+                           ring);
+        }
+      line = next;
+    }
+
+    CrossSection      &section;
+    const unsigned int n_around_quarter;
+    const unsigned int n_disk_rings;
+    const unsigned int m;
+    const unsigned int n_quarters;
+    const unsigned int first_quarter;
+    const bool         closed;
+    const unsigned int n_angles;
+    const Core         core;
+
+    // The numbers of the vertices of the core, by quarter, i and j.
+    std::map<std::array<unsigned int, 3>, unsigned int> core_numbers;
+    // The outermost line so far.
+    std::vector<unsigned int> line;
+  };
 
 
 
@@ -92,124 +267,25 @@ namespace lumbricus
            dealii::ExcMessage("At least one ring between core and circle."));
     Assert(n_wall_layers >= 1, dealii::ExcMessage("At least one layer."));
 
-    const unsigned int m = n_around_quarter / 2;
-    const Core         core(m, n_disk_rings);
-
-    // Quarters are counted counterclockwise from the positive y axis; a half
-    // starts with the fourth of them.
-    const unsigned int n_quarters =
-      part == Part::full ? 4 : (part == Part::half ? 2 : 1);
-    const unsigned int first_quarter = part == Part::half ? 3 : 0;
-    const bool         closed        = part == Part::full;
-
-    // Vertices of the core: quarter q counted from the first, i and j along
-    // its two edges. The second edge of a quarter is the first of the next.
-    std::map<std::array<unsigned int, 3>, unsigned int> core_numbers;
-    const auto                                          core_vertex =
-      [&](unsigned int q, unsigned int i, unsigned int j) {
-        if (i == 0 && j == 0)
-          q = 0;
-        else if (i == 0 && (closed || q + 1 < n_quarters))
-          {
-            q = (q + 1) % n_quarters;
-            std::swap(i, j);
-          }
-        const auto entry =
-          core_numbers.emplace(std::array<unsigned int, 3>{{q, i, j}},
-                               vertices.size());
-        if (entry.second)
-          vertices.push_back(
-            {turned(core.position(i, j), first_quarter + q), 0, 1.});
-        return entry.first->second;
-      };
-
-    if (filled)
-      for (unsigned int q = 0; q < n_quarters; ++q)
-        for (unsigned int j = 0; j < m; ++j)
-          for (unsigned int i = 0; i < m; ++i)
-            // Starting at the corner with the lowest y and z makes the lines
-            // of all cells of the core point along the positive axes.
-            add_quad({{core_vertex(q, i, j),
-                       core_vertex(q, i + 1, j),
-                       core_vertex(q, i + 1, j + 1),
-                       core_vertex(q, i, j + 1)}},
-                     4 - (first_quarter + q) % 4,
-                     0);
-
-    // Closed or open lines of vertices around the axis, from inside to
-    // outside; vertex a of a line is at the angle a/(2m) of a right angle.
-    const unsigned int n_angles    = n_quarters * n_around_quarter;
-    const unsigned int line_length = closed ? n_angles : n_angles + 1;
-
-    // The quarter that vertex a of a line is computed in.
-    const auto quarter_of = [&](const unsigned int a) {
-      return std::min(a / n_around_quarter, n_quarters - 1);
-    };
-    const auto circle_point = [&](const unsigned int a) {
-      const unsigned int q = quarter_of(a);
-      return turned(on_unit_circle(a - q * n_around_quarter, m),
-                    first_quarter + q);
-    };
-
-    std::vector<unsigned int> line(line_length);
-
-    // Join the last line with a new one by quads, which belong to @p ring.
-    // As in the core, lines that face each other point the same way.
-    const auto append_line = [&](const unsigned int ring,
-                                 const auto        &vertex_at) {
-      std::vector<unsigned int> next(line_length);
-      for (unsigned int a = 0; a < line_length; ++a)
-        {
-          next[a] = vertices.size();
-          vertices.push_back(vertex_at(a));
-        }
-      for (unsigned int a = 0; a < n_angles; ++a)
-        {
-          const unsigned int b = (a + 1) % line_length;
-          // 0: around the positive y axis, then counterclockwise.
-          const unsigned int sector = ((2 * first_quarter + a / m + 1) / 2) % 4;
-          const bool         turned_about = sector == 1 || sector == 2;
-          add_quad({{line[a], next[a], next[b], line[b]}},
-                   turned_about ? 3 : 0,
-                   ring);
-        }
-      line = next;
-    };
-
+    Builder builder(*this, n_around_quarter, n_disk_rings);
     if (filled)
       {
-        for (unsigned int a = 0; a < line_length; ++a)
-          {
-            const unsigned int q = quarter_of(a);
-            const unsigned int b = a - q * n_around_quarter;
-            line[a] =
-              b <= m ? core_vertex(q, m, b) : core_vertex(q, 2 * m - b, m);
-          }
-
-        const std::vector<unsigned int> core_line = line;
-        for (unsigned int k = 1; k <= n_disk_rings; ++k)
-          append_line(0, [&](const unsigned int a) -> Vertex {
-            if (k == n_disk_rings)
-              return {circle_point(a), 0, 1.};
-            const double    f      = double(k) / n_disk_rings;
-            const Point<2> &inside = vertices[core_line[a]].direction;
-            return {Point<2>((1 - f) * inside + f * circle_point(a)), 0, 1.};
-          });
+        builder.add_core();
+        builder.start_around_core();
+        builder.add_disk_rings();
       }
     else
-      for (unsigned int a = 0; a < line_length; ++a)
-        {
-          line[a] = vertices.size();
-          vertices.push_back({circle_point(a), 0, 1.});
-        }
-
+      builder.start_on_circle();
     for (unsigned int layer = 1; layer <= n_wall_layers; ++layer)
-      for (unsigned int k = 1; k <= n_layer_cells[layer - 1]; ++k)
-        append_line(layer, [&](const unsigned int a) -> Vertex {
-          return {circle_point(a), layer, double(k) / n_layer_cells[layer - 1]};
-        });
+      builder.add_layer(layer, n_layer_cells[layer - 1]);
+    find_sides();
+  }
 
-    // Which edges are where can be told only now that all vertices are there.
+
+
+  void
+  CrossSection::find_sides()
+  {
     static constexpr unsigned int line_ends[4][2] = {{0, 2},
                                                      {1, 3},
                                                      {0, 1},

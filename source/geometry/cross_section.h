@@ -114,11 +114,18 @@ namespace lumbricus
       double           fraction;
     };
 
+    class Builder;
+
     /** Append a quad given by its corners, counterclockwise from @p first. */
     void
     add_quad(const std::array<unsigned int, 4> &corners,
              const unsigned int                 first,
              const unsigned int                 ring);
+
+    /** Tell what the edges of all quads belong to, when all vertices are
+     * there. */
+    void
+    find_sides();
 
     Side
     side(const Vertex &a, const Vertex &b) const;

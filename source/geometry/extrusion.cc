@@ -138,7 +138,8 @@ namespace lumbricus
                   boundary(BodySurface::chamber, quad.ring, empty.slab) :
                   boundary(surface_of(quad, f), quad.ring, slab));
             }
-        // This includes the faces shared with the disk.
+        // A cell of the wall passes its manifold on to the faces that it
+        // shares with the disk.
         if (quad.ring > 0)
           cell->set_all_manifold_ids(cylindrical_manifold_id);
       }

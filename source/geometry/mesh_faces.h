@@ -32,12 +32,12 @@ namespace lumbricus
   /** A face as one of its cells has it. */
   struct FaceOfCell
   {
-    FaceKey      key;  ///< the same from both sides
+    FaceKey      key;  ///< equal for the cells on both sides
     unsigned int cell; ///< which cell
     unsigned int face; ///< which of its faces, in deal.II's numbering
   };
 
-  /** Those of all cells, the same faces side by side. */
+  /** The faces of all cells; those with the same key stand side by side. */
   inline std::vector<FaceOfCell>
   sorted_faces(const std::vector<dealii::CellData<dim>> &cells)
   {

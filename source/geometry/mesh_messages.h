@@ -18,7 +18,8 @@ namespace lumbricus
     [[noreturn]] void
     fail(const std::string &parameter, const std::string &what) const;
 
-    /** The same about the file itself. */
+    /** Say that the mesh file so-and-so @p what, about the parameter that names
+     * the file. */
     [[noreturn]] void
     fail(const std::string &what) const;
 

@@ -24,7 +24,7 @@ namespace lumbricus
     {
       /** By their numbers in MshFile::vertices. */
       FaceKey vertices;
-      /** That of the physical surface. */
+      /** The tag of the physical surface. */
       unsigned int tag;
     };
 
@@ -33,13 +33,13 @@ namespace lumbricus
     {
       /** Three of its corners, by their numbers in MshFile::vertices. */
       std::array<unsigned int, 3> corners;
-      /** That of the physical surface. */
+      /** The tag of the physical surface. */
       unsigned int tag;
       /** What it is, in the plural. */
       std::string kind;
     };
 
-    /** Those of the hexahedra only. */
+    /** The vertices of hexahedra only. */
     std::vector<dealii::Point<dim>> vertices;
     /** Hexahedra in deal.II's numbering; the material id is the tag. */
     std::vector<dealii::CellData<dim>> cells;

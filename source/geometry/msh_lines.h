@@ -28,7 +28,8 @@ namespace lumbricus
     bool
     next();
 
-    /** The same where there has to be one. */
+    /** Go to the next line that is not blank. Throws ExcInput where there is
+     * none. */
     void
     need();
 
@@ -84,7 +85,7 @@ namespace lumbricus
     [[noreturn]] void
     fail(const std::string &what) const;
 
-    /** The same, with the number of the line in front of @p what. */
+    /** The message is that line so-and-so of the mesh file @p what. */
     [[noreturn]] void
     fail_in_line(const std::string &what) const;
 

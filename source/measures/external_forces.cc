@@ -32,7 +32,7 @@ namespace lumbricus
       for (const SymmetryPlane &plane : geometry.symmetry_planes())
         add(ExternalForce::Kind::symmetry,
             std::string("symmetry ") + "xyz"[plane.direction]);
-      for (const Supports::HeldPoint &point : supports.minimal_support())
+      for (const MinimalSupport::HeldPoint &point : supports.minimal_support())
         {
           add(ExternalForce::Kind::minimal_support, "minimal support");
           all.back().X         = point.X;

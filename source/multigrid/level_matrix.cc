@@ -244,7 +244,7 @@ namespace lumbricus
   void
   LevelMatrix::add_rows(const unsigned int cell, const double *matrix)
   {
-    // Both the row and the cell's unknowns are gone through in order.
+    // The unknowns of the row and of the cell are gone through in order.
     const auto        &places = of_cell[cell];
     const auto        &order  = sorted[cell];
     const unsigned int n      = places.size();

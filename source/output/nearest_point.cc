@@ -89,7 +89,7 @@ namespace lumbricus
 
 
 
-    // Those of this rank's cells that have @p point.
+    // The candidates among this rank's cells that have @p point.
     std::vector<Candidate>
     cells_with(const Point<dim>                 &point,
                const dealii::Triangulation<dim> &triangulation,

@@ -30,6 +30,7 @@ namespace lumbricus
                   supports,
                   *parameters.linear_solver.get(),
                   timer)
+    , reset_model{equilibrium, parameters.newton, references, body, timer}
   {
     triangulation.signals.weight.connect(
       [slips = is_slip_interface()](const ParallelMesh::cell_iterator &cell,
@@ -142,9 +143,9 @@ namespace lumbricus
     surface_terms.set_to(state);
     parameters.try_loads(triangulation, {t.to()});
     equilibrium.set_time(t, guess);
-    const Vector start  = state.solution;
-    const auto   report = parameters.reset_iteration.solve(
-      state, guess, equilibrium, parameters.newton, references, body, timer);
+    const Vector start = state.solution;
+    const auto   report =
+      parameters.reset_iteration.solve(state, guess, reset_model);
     AssertThrow(!equilibrium.leaps(start, state.solution),
                 ExcNotConverged(
                   "The body has moved by more than its own length "

@@ -85,18 +85,22 @@ namespace lumbricus
 
 
   void
-  ChainProblem::run(RunFolder        &folder,
-                    const RunRequest &request,
-                    const Checkpoint *checkpoint)
+  ChainProblem::begin(const Checkpoint *checkpoint)
+  {
+    if (checkpoint != nullptr)
+      go_on_from(*checkpoint);
+    model.references.update(first_state);
+    if (checkpoint == nullptr)
+      results->write(first_state, first_step);
+  }
+
+
+
+  void
+  ChainProblem::run(RunFolder &folder, const RunRequest &request)
   {
     State      state = first_state;
-    StepRecord step;
-    if (checkpoint != nullptr)
-      go_on_from(*checkpoint, state, step);
-    model.references.update(state);
-    if (checkpoint == nullptr)
-      results->write(state, step);
-    begun = true;
+    StepRecord step  = first_step;
     note_reached(state, step);
 
     const auto save = [&]() {
@@ -145,14 +149,6 @@ namespace lumbricus
       return;
     log.note("\n" + trouble + last_state.str() + "\n");
     AssertThrow(false, ExcSolveFailed(trouble + last_state.str()));
-  }
-
-
-
-  bool
-  ChainProblem::has_begun() const
-  {
-    return begun;
   }
 
 
@@ -299,17 +295,15 @@ namespace lumbricus
 
 
   void
-  ChainProblem::go_on_from(const Checkpoint &checkpoint,
-                           const State      &state,
-                           StepRecord       &step)
+  ChainProblem::go_on_from(const Checkpoint &checkpoint)
   {
     const RunProgress &progress = checkpoint.progress();
-    step.number                 = progress.step;
-    step.elapsed_seconds        = progress.elapsed_seconds;
+    first_step.number           = progress.step;
+    first_step.elapsed_seconds  = progress.elapsed_seconds;
     seconds_before_restart      = progress.elapsed_seconds;
     results->continue_after(progress);
-    log << "Going on from time " << state.time << ", after step " << step.number
-        << ".\n";
+    log << "Going on from time " << first_state.time << ", after step "
+        << first_step.number << ".\n";
     const std::string &control = parameters.continuation.chosen_name();
     if (control != progress.control)
       log << "From here on by 'Path/Control' = '" << control

@@ -46,20 +46,20 @@ namespace lumbricus
     prepare(RunFolder &folder, const Checkpoint *checkpoint);
 
     /**
-     * Compute the run, from @p checkpoint on where there is one, and write its
-     * results to @p folder; @p request is for its checkpoints. All of these are
-     * those of prepare(). After RunFolder::begin(). Throws ExcSolveFailed and
-     * ExcInterrupted, with the last good state on disk.
+     * Begin the results, or continue those up to @p checkpoint, where there is
+     * one, so that there is a state on disk that run() can leave as the last
+     * good one. After RunFolder::begin(). Throws ExcSolveFailed. Collective.
      */
     void
-    run(RunFolder        &folder,
-        const RunRequest &request,
-        const Checkpoint *checkpoint);
+    begin(const Checkpoint *checkpoint);
 
-    /** Whether there is a state on disk that run() would leave as the last good
-     * one. */
-    bool
-    has_begun() const;
+    /**
+     * Compute the run and write its results to @p folder, that of prepare();
+     * @p request is for its checkpoints. After begin(). Throws ExcSolveFailed
+     * and ExcInterrupted, with the last good state on disk. Collective.
+     */
+    void
+    run(RunFolder &folder, const RunRequest &request);
 
     /** The mesh, after setup(). */
     const dealii::Triangulation<dim> &
@@ -90,11 +90,9 @@ namespace lumbricus
     void
     continue_path(const Checkpoint &checkpoint);
 
-    /** Go on from a checkpoint, whose state is @p state. */
+    /** Go on from a checkpoint, whose state and step are the first. */
     void
-    go_on_from(const Checkpoint &checkpoint,
-               const State      &state,
-               StepRecord       &step);
+    go_on_from(const Checkpoint &checkpoint);
 
     /** Adapt the mesh to @p state, which has converged. */
     void
@@ -133,7 +131,7 @@ namespace lumbricus
     RunWatch                 watch;
     std::unique_ptr<Results> results;
     State                    first_state; ///< of this part of the run
-    bool                     begun = false;
+    StepRecord               first_step;  ///< that led to it
     RunStatus                so_far;
 
     /** What tables have to say about the first mesh. */

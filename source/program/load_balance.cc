@@ -2,10 +2,8 @@
 #include "load_balance.h"
 
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/discretization/loaded_points.h>
 #include <lumbricus/parameters/expression.h>
-
-#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,42 +49,26 @@ namespace lumbricus
                   const BoundaryConditions &conditions,
                   std::vector<LoadPoint>   &points)
     {
-      dealii::FEFaceValues<dim> face_values(space.mapping,
-                                            space.fe,
-                                            space.face_quadrature,
-                                            dealii::update_quadrature_points |
-                                              dealii::update_normal_vectors |
-                                              dealii::update_JxW_values);
-      for (const auto &cell : space.owned_cells())
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary())
-            for (const unsigned int i :
-                 conditions.surface_terms_on(face->boundary_id()))
-              {
-                face_values.reinit(mesh_cell(cell), face);
-                for (const unsigned int q :
-                     face_values.quadrature_point_indices())
-                  {
-                    SurfacePoint point;
-                    point.X = face_values.quadrature_point(q);
-                    point.N = face_values.normal_vector(q);
-                    point.F = dealii::unit_symmetric_tensor<dim, double>();
-                    points.push_back(
-                      {i,
-                       point.X,
-                       [&term = *conditions.condition(i).surface_term(),
-                        point,
-                        JxW = face_values.JxW(q)](const double t) {
-                         SurfacePoint at = point;
-                         at.t            = t;
-                         SurfaceResponse response;
-                         term.surface(at, response);
-                         return std::make_pair(
-                           Tensor<1, dim>(JxW * response.T),
-                           response.depends_on_shape());
-                       }});
-                  }
-              }
+      for (const LoadedPoint &loaded : loaded_points(space, conditions))
+        {
+          SurfacePoint point;
+          point.X = loaded.X;
+          point.N = loaded.N;
+          point.F = dealii::unit_symmetric_tensor<dim, double>();
+          points.push_back(
+            {loaded.condition,
+             point.X,
+             [&term = *conditions.condition(loaded.condition).surface_term(),
+              point,
+              JxW = loaded.JxW](const double t) {
+               SurfacePoint at = point;
+               at.t            = t;
+               SurfaceResponse response;
+               term.surface(at, response);
+               return std::make_pair(Tensor<1, dim>(JxW * response.T),
+                                     response.depends_on_shape());
+             }});
+        }
     }
 
 

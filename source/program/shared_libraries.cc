@@ -72,7 +72,7 @@ namespace lumbricus
 
       // With a path, so that it is not looked up elsewhere.
       const std::string path = std::filesystem::absolute(file_name).string();
-      // It may be linked with the program, or be listed twice.
+      // The library may be linked with the program, or be listed twice.
       if (dlopen(path.c_str(), RTLD_NOW | RTLD_NOLOAD) != nullptr)
         return "";
       const std::size_t n_before = registrations().size();

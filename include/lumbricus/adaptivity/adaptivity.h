@@ -72,7 +72,7 @@ namespace lumbricus
     may_be_merged(const Cell            &cell,
                   const IsSlipInterface &is_slip_interface) const;
 
-    /** Those whose cells are locally owned. */
+    /** The families whose cells are locally owned. */
     std::vector<Family>
     families(const ErrorEstimate   &estimate,
              const IsSlipInterface &is_slip_interface,

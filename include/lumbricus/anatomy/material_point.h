@@ -15,7 +15,7 @@ namespace lumbricus
   {
     /** G^(-1) and J_v. */
     ReferencePoint reference;
-    /** Those of Tissue::muscles(), in their order. */
+    /** The fibres of Tissue::muscles(), in their order. */
     std::vector<MuscleFibre> fibres;
   };
 } // namespace lumbricus

@@ -16,15 +16,15 @@ namespace lumbricus
    * @{
    */
 
-  /** The name of that of a step: "000012". */
+  /** The name of the checkpoint of a step: "000012". */
   std::string
   checkpoint_name(const unsigned int step);
 
-  /** Where that of this name is, from the folder of the run. */
+  /** Where the checkpoint of this name is, from the folder of the run. */
   std::string
   checkpoint_in_folder(const std::string &name);
 
-  /** The same from the working directory. */
+  /** Where the checkpoint of this name is, from the working directory. */
   std::string
   checkpoint_path(const RunFolder &folder, const std::string &name);
 

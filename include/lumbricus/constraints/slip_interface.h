@@ -42,11 +42,11 @@ namespace lumbricus
     {
       /** The unknowns of the liquid, by component. */
       std::array<dealii::types::global_dof_index, dim> liquid;
-      /** Those of the wall at the same place. */
+      /** The unknowns of the wall at the same place. */
       std::array<dealii::types::global_dof_index, dim> wall;
-      /** Where both are at rest [mm]. */
+      /** Where the two nodes are at rest [mm]. */
       dealii::Point<dim> X;
-      /** That of the liquid, from zero. */
+      /** The segment of the liquid, from zero. */
       unsigned int segment;
       /** The surface each of the three is counted to here: where two meet at
        * a blunt angle they are one. */

@@ -2,6 +2,7 @@
 #ifndef lumbricus_constraints_supports_h
 #define lumbricus_constraints_supports_h
 
+#include <lumbricus/constraints/minimal_support.h>
 #include <lumbricus/constraints/rigid_motions.h>
 #include <lumbricus/constraints/slip_interface.h>
 #include <lumbricus/terms/boundary_conditions.h>
@@ -17,9 +18,8 @@ namespace lumbricus
   /**
    * The constraints on the unknowns: hanging nodes, planes of symmetry,
    * prescribed displacements, the minimal support, and the interface at which
-   * liquid slips. They are constraints
-   * on Newton's increments, whose inhomogeneity is what is still missing to
-   * the prescribed displacement.
+   * liquid slips. They are constraints on Newton's increments, whose
+   * inhomogeneity is what is still missing to the prescribed displacement.
    */
   class Supports
   {
@@ -48,14 +48,7 @@ namespace lumbricus
       std::array<dealii::types::global_dof_index, dim> node;
     };
 
-    /** A displacement that the minimal support holds. */
-    struct HeldPoint
-    {
-      dealii::Point<dim> X;         ///< where [mm]
-      unsigned int       direction; ///< 0, 1, 2 for x, y, z
-    };
-
-    /** All of these are kept by reference; there are no constraints before
+    /** All arguments are kept by reference; there are no constraints before
      * reinit(). */
     Supports(const MixedSpace         &space,
              const Anatomy            &anatomy,
@@ -75,7 +68,7 @@ namespace lumbricus
     follow_the_deformation() const;
 
     /**
-     * Where they follow the deformation, let the normals of the interface be
+     * Where normals follow the deformation, let the normals of the interface be
      * those at @p solution and the slip be that since @p start. Collective.
      */
     void
@@ -109,8 +102,8 @@ namespace lumbricus
     const std::vector<Prescribed> &
     prescribed_unknowns() const;
 
-    /** What the minimal support holds, the same on all ranks. */
-    const std::vector<HeldPoint> &
+    /** What the minimal support holds, equal on all ranks. */
+    const std::vector<MinimalSupport::HeldPoint> &
     minimal_support() const;
 
     /** The constraints that do not hold anything but pass forces on: hanging
@@ -141,11 +134,14 @@ namespace lumbricus
     std::vector<RigidMotions>
     held_motions() const;
 
-    void
-    hold_wall(RigidMotions &motions);
+    /** Where the minimal support may hold the liquid of a segment. */
+    dealii::Point<dim>
+    vertex_in_liquid(const unsigned int segment) const;
 
+    /** Hold the displacements of some vertices of a body. */
     void
-    hold_liquid(RigidMotions &motions, const unsigned int segment);
+    hold(const std::vector<MinimalSupport::HeldPoint> &points,
+         const unsigned int                            body);
 
     /** Hold the displacement of the vertex at @p X of a body at zero. */
     void
@@ -170,14 +166,16 @@ namespace lumbricus
     const Geometry           &geometry;
     const BoundaryConditions &conditions;
     SlipInterface             interface;
+    const MinimalSupport      least;
 
     /** All but the interface, open. */
     dealii::AffineConstraints<double> base;
     dealii::AffineConstraints<double> increments;
     std::vector<Prescribed>           prescribed;
-    std::vector<HeldPoint>            held_points;
     std::unique_ptr<RigidMotions>     held;
     double                            largest_gap = 0.;
+
+    std::vector<MinimalSupport::HeldPoint> held_points;
   };
 } // namespace lumbricus
 

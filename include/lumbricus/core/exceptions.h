@@ -22,8 +22,9 @@ namespace lumbricus
   DeclException1(ExcInput, std::string, << arg1);
 
   /**
-   * The same for one parameter, whose path may still lack the sections that
-   * its owner does not know: within_section() puts them in front.
+   * The user's input for one parameter is wrong. Its path may still lack the
+   * sections that its owner does not know: within_section() puts them in
+   * front.
    */
   class ExcParameter : public ExcInput
   {
@@ -35,7 +36,8 @@ namespace lumbricus
       , what_is_wrong(what)
     {}
 
-    /** The same about a parameter in @p section: its path has that in front. */
+    /** This exception about a parameter in @p section: its path has that in
+     * front. */
     ExcParameter
     in_section(const std::string &section) const
     {
@@ -68,8 +70,8 @@ namespace lumbricus
 
   /** @} */
 
-  /** Whether it is one of the three above that are thrown on all ranks,
-   * ExcInput, ExcNotConverged or ExcSolveFailed; anything else is a bug. */
+  /** Whether @p exception is one that is thrown on all ranks: ExcInput,
+   * ExcNotConverged or ExcSolveFailed; anything else is a bug. */
   bool
   is_thrown_on_all_ranks(const dealii::ExceptionBase &exception);
 

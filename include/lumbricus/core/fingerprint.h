@@ -18,10 +18,10 @@ namespace lumbricus
     std::uintmax_t size     = 0; ///< [bytes]
     std::uint32_t  checksum = 0; ///< CRC-32
 
-    /** The largest of its numbers that can be. */
+    /** The largest size that can be. */
     static constexpr auto largest_size =
       std::numeric_limits<std::uintmax_t>::max();
-    /** The same. */
+    /** The largest checksum that can be. */
     static constexpr auto largest_checksum =
       std::numeric_limits<std::uint32_t>::max();
 
@@ -43,7 +43,7 @@ namespace lumbricus
     void
     add(const std::string &more);
 
-    /** That of what there is so far. */
+    /** The fingerprint of what there is so far. */
     Fingerprint
     value() const;
 

@@ -14,8 +14,8 @@ namespace lumbricus
    * reads such a file catches this one and says which it is. */
   DeclException1(ExcDamaged, std::string, << arg1);
 
-  /** It has an item of this name, which this version of the program does not
-   * know. */
+  /** A file that the program wrote has an item of this name, which this
+   * version of the program does not know. */
   DeclException1(ExcUnknownItem, std::string, << arg1);
 
 

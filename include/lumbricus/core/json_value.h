@@ -24,7 +24,7 @@ namespace lumbricus
     /** A text; what is not UTF-8 in it, or a control character, is '?'. */
     explicit JsonValue(const std::string &text);
 
-    /** The same. */
+    /** A text, treated as a std::string is. */
     explicit JsonValue(const char *text);
 
     /** An array of texts. */

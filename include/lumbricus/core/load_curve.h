@@ -19,7 +19,7 @@ namespace lumbricus
     std::string what;
     /** Where, for messages: " in segment 2"; may be empty. */
     std::string where;
-    /** Its value where nothing acts. */
+    /** The value of the curve where nothing acts. */
     double at_rest = 0.;
     /** Its value over time, at each of the points. */
     std::vector<std::function<double(double)>> values;

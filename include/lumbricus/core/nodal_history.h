@@ -26,15 +26,15 @@ namespace lumbricus
     NodalHistory &
     operator=(const NodalHistory &) = delete;
 
-    /** That it was defined with. */
+    /** The name that the history was defined with. */
     const std::string &
     name() const;
 
-    /** That of @p state: numbered by MixedSpace::rest_dof_handler, owned
+    /** The history in @p state: numbered by MixedSpace::rest_dof_handler, owned
      * entries. Not for the innermost loop. */
     Vector &
     in(State &state) const;
-    /** The same, to read. */
+    /** The history in @p state, to read. */
     const Vector &
     in(const State &state) const;
 

@@ -13,7 +13,7 @@ namespace lumbricus
   bool
   read_number(const std::string &word, double &value);
 
-  /** The same for an integer, as "-12"; not "1.0". */
+  /** Whether all of @p word is one integer, as "-12", and which. Not "1.0". */
   bool
   read_number(const std::string &word, long long &value);
 } // namespace lumbricus

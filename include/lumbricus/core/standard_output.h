@@ -33,7 +33,7 @@ namespace lumbricus
     bool
     wait();
 
-    int own    = -1; ///< the same file, opened so that writing does not block
+    int own    = -1; ///< that file, opened so that writing does not block
     int waited = 0;  ///< milliseconds since the run was interrupted
   };
 } // namespace lumbricus

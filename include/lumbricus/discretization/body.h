@@ -79,7 +79,7 @@ namespace lumbricus
       unsigned int   index = 0;
     };
 
-    /** Those of @p space; both are kept by reference. */
+    /** The owned cells of @p space; both arguments are kept by reference. */
     OwnedCells(const MixedSpace &space, const Anatomy &anatomy)
       : space(space)
       , anatomy(anatomy)

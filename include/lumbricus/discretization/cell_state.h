@@ -67,7 +67,7 @@ namespace lumbricus
   class CellStateReader
   {
   public:
-    /** Both are kept by reference. Collective. */
+    /** Both arguments are kept by reference. Collective. */
     CellStateReader(const MixedSpace &space, const State &state);
 
     /** Read that of @p cell, an active one of MixedSpace::dof_handler. */
@@ -92,8 +92,8 @@ namespace lumbricus
   class CellStateWriter
   {
   public:
-    /** Both are kept by reference. The state has to be compressed after all has
-     * been written. */
+    /** Both arguments are kept by reference. The state has to be compressed
+     * after all has been written. */
     CellStateWriter(const MixedSpace &space, State &state);
 
     /** Write @p values to what this rank owns of @p cell. */

@@ -57,8 +57,8 @@ namespace lumbricus
     reinit(const dealii::AffineConstraints<double> &constraints);
 
     /**
-     * The same for unknowns that are not those of the space, as on a coarser
-     * mesh: @p of_cells has n_per_cell of them for each cell, and this rank
+     * Take unknowns that are not those of the space, as on a coarser mesh:
+     * @p of_cells has n_per_cell of them for each cell, and this rank
      * owns those in @p owned, a range. Collective.
      */
     void

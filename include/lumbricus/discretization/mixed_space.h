@@ -98,7 +98,7 @@ namespace lumbricus
       dealii::FilteredIterator<dealii::DoFHandler<dim>::active_cell_iterator>>
     owned_cells() const;
 
-    /** That of the mesh. */
+    /** The communicator of the mesh. */
     MPI_Comm
     communicator() const;
 
@@ -121,7 +121,8 @@ namespace lumbricus
     dealii::DoFHandler<dim> rest_dof_handler;
     /** The unknowns of dof_handler that this rank owns. */
     dealii::IndexSet locally_owned;
-    /** Those, and all others of its own cells and of the ghosts around. */
+    /** The unknowns of dof_handler on this rank's own cells and on the ghosts
+     * around, owned or not. */
     dealii::IndexSet locally_relevant;
 
     /** Index on the cell of displacement component c at node n: [c][n]. */

@@ -44,11 +44,11 @@ namespace lumbricus
     void
     update(const State &state, const LoadTime &t);
 
-    /** The same at the time of @p state. */
+    /** Set all from a state, with loads taken at its time. */
     void
     update(const State &state);
 
-    /** Those at the quadrature points of an owned cell. */
+    /** The material points at the quadrature points of an owned cell. */
     const MaterialPoint *
     cell(const unsigned int owned_index) const;
 

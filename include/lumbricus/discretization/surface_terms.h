@@ -28,7 +28,7 @@ namespace lumbricus
     using Listener =
       std::function<void(const unsigned int, const SurfaceResponse &)>;
 
-    /** Both are kept by reference. */
+    /** Both arguments are kept by reference. */
     SurfaceTerms(const Body &body, const BoundaryConditions &conditions);
 
     /** Remember what the skin does in @p state: before visit(), and after every

@@ -27,7 +27,7 @@ namespace lumbricus
     using Listener = std::function<
       void(const unsigned int, const Point &, const VolumeResponse &)>;
 
-    /** Both are kept by reference. */
+    /** Both arguments are kept by reference. */
     VolumeTerms(const Body &body, const BodyForces &forces);
 
     /** Whether any acts in the tissue of @p cell. */

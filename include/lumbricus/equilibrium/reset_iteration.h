@@ -50,17 +50,21 @@ namespace lumbricus
       n_newton_iterations() const;
     };
 
-    /** Solve for the state at the time of @p state, coming from @p state and
-     * beginning with @p guess, on which the result does not depend. Throws
-     * ExcNotConverged. Collective. */
+    /** What is solved and reset, all by reference. */
+    struct Model
+    {
+      Equilibrium         &equilibrium; ///< of the body under its loads
+      const Newton        &newton;      ///< solves it
+      ReferenceField      &references;  ///< what a reset changes
+      const Body          &body;        ///< with the liquid
+      dealii::TimerOutput &timer;       ///< of what resets take
+    };
+
+    /** Solve @p model for the state at the time of @p state, coming from
+     * @p state and beginning with @p guess, on which the result does not
+     * depend. Throws ExcNotConverged. Collective. */
     Report
-    solve(State               &state,
-          const Vector        &guess,
-          Equilibrium         &equilibrium,
-          const Newton        &newton,
-          ReferenceField      &references,
-          const Body          &body,
-          dealii::TimerOutput &timer) const;
+    solve(State &state, const Vector &guess, const Model &model) const;
 
     /** Call @p new_listener after every solve. */
     void

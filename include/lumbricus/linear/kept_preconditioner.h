@@ -93,7 +93,7 @@ namespace lumbricus
     dealii::types::global_dof_index n_unknowns      = 0;
     unsigned int                    kind            = 0;
     InverseKind                     current;
-    /** Then there is an inverse. */
+    /** Whether there is an inverse. */
     bool      factored = false;
     FactorAge age;
     /** The inverse with a border around it, where there is one. */

@@ -64,7 +64,7 @@ namespace lumbricus
           const Border              &border,
           const double               tolerance) = 0;
 
-    /** What it did since it was made. */
+    /** What the solver did since it was made. */
     const LinearSolverStatistics &
     statistics() const
     {

@@ -19,7 +19,7 @@ namespace lumbricus
   class Field
   {
   public:
-    /** What its value is. */
+    /** What the value of the field is. */
     enum class Kind
     {
       scalar,         ///< a number
@@ -30,7 +30,7 @@ namespace lumbricus
 
     virtual ~Field() = default;
 
-    /** What its value is. */
+    /** What the value of the field is. */
     virtual Kind
     kind() const = 0;
 
@@ -69,10 +69,10 @@ namespace lumbricus
     /** Write the numbers that @p value consists of to @p values. */
     static void
     store(const double value, double *values);
-    /** The same. */
+    /** Write the components of @p value to @p values. */
     static void
     store(const dealii::Tensor<1, dim> &value, double *values);
-    /** The same, row by row. */
+    /** Write the components of @p value to @p values, row by row. */
     static void
     store(const dealii::Tensor<2, dim> &value, double *values);
   };

@@ -45,7 +45,7 @@ namespace lumbricus
     virtual void
     write(const State &state, const CellFields &fields) = 0;
 
-    /** Those so far. */
+    /** The pictures so far. */
     virtual const Pictures &
     pictures() const = 0;
 

@@ -49,12 +49,12 @@ namespace lumbricus
     std::map<std::string, Table *>
     tables() const;
 
-    /** Those of all fields, in the order of Field::place(). After
+    /** The arrays of all fields, in the order of Field::place(). After
      * initialize(). */
     const std::vector<FieldArray> &
     field_arrays() const;
 
-    /** Those with these names, which have to be there. */
+    /** The arrays with these names, which have to be there. */
     std::vector<FieldArray>
     field_arrays(const std::vector<std::string> &names) const;
 

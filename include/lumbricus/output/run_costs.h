@@ -26,7 +26,7 @@ namespace lumbricus
       std::vector<Part> parts = {};
     };
 
-    std::vector<Part> parts;           ///< those that were measured
+    std::vector<Part> parts;           ///< the parts that were measured
     double            seconds     = 0; ///< of all
     double            peak_memory = 0; ///< of the largest rank [MB]
     unsigned int      most_linear_iterations = 0; ///< of one linear solve

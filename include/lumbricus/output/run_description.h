@@ -63,7 +63,7 @@ namespace lumbricus
     void
     describe_run(const std::string &title, const unsigned int n_ranks);
 
-    /** It goes on from a checkpoint, at @p time after @p step, which that
+    /** The run goes on from a checkpoint, at @p time after @p step, which that
      * version of the program wrote. */
     void
     describe_restart(const std::string &version,

@@ -63,7 +63,7 @@ namespace lumbricus
     std::string start;   ///< when it was started [ticks since the boot]
     std::string since;   ///< when it took the lock, to be read by people
 
-    /** This process. */
+    /** The holder that this process is. */
     static LockHolder
     this_process();
 

@@ -51,7 +51,7 @@ namespace lumbricus
     {}
 
     /** Add the rows of a step that was accepted; step 0 is the state of rest.
-     * The same on all ranks. Collective. */
+     * The rows are equal on all ranks. Collective. */
     virtual void
     write(TableRows &rows, const OutputContext &context) const = 0;
   };

@@ -27,7 +27,7 @@ namespace lumbricus
     TableRows &
     operator<<(const std::string &text);
 
-    /** The same. */
+    /** Add a text, in quotes where it needs them. */
     TableRows &
     operator<<(const char *text);
 

@@ -54,7 +54,7 @@ namespace lumbricus
     void
     set_to(const State &state, const LoadTime &t);
 
-    /** The same under the loads at the time of @p state. */
+    /** Make this the model of @p state under the loads at its time. */
     void
     set_to(const State &state);
 
@@ -76,8 +76,9 @@ namespace lumbricus
     void
     end_step(State &state) const;
 
-    /** The same with the loads taken at @p t, whatever the time of @p state,
-     * and with Newton's method beginning with @p guess. */
+    /** Find the equilibrium as solve(state) does, with the loads taken at @p t,
+     * whatever the time of @p state, and with Newton's method beginning with
+     * @p guess. */
     ResetIteration::Report
     solve(State &state, const LoadTime &t, const Vector &guess);
 
@@ -97,7 +98,7 @@ namespace lumbricus
     ParallelMesh   triangulation; ///< the mesh at rest
     MixedSpace     space;         ///< the unknowns on it
     ShapeCache     shapes;        ///< their shape functions
-    const Body     body;          ///< both, and the anatomy
+    const Body     body;          ///< space, shapes and the anatomy
     ReferenceField references;    ///< fibres, G and J_v at all points
     Supports       supports;      ///< the constraints
     SurfaceTerms   surface_terms; ///< tractions, and what the skin remembers
@@ -105,6 +106,9 @@ namespace lumbricus
     Assembler      assembler;     ///< residual and tangent
     Cavities       cavities;      ///< chambers without cells
     Equilibrium    equilibrium;   ///< all that Newton's method sees
+
+  private:
+    const ResetIteration::Model reset_model;
   };
 } // namespace lumbricus
 

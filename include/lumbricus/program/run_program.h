@@ -7,7 +7,7 @@ namespace lumbricus
   /**
    * The whole program, with MPI and all messages: what main() does, also in a
    * program that adds laws, shapes, fibres or loads of its own (examples/).
-   * Those that it is linked with register themselves.
+   * The parts that the program is linked with register themselves.
    * @return the exit code, see ExitCode.
    */
   int

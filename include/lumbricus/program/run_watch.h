@@ -36,7 +36,7 @@ namespace lumbricus
     void
     begin_step(const unsigned int number, const double to);
 
-    /** It has converged: warn of what makes its results doubtful. */
+    /** The load step has converged: warn of what makes its results doubtful. */
     void
     end_step(const StepRecord &record);
 

@@ -19,8 +19,9 @@ namespace lumbricus
    *   T . e = 0    where a surface with the traction T ends at the plane,
    *   u . e = 0    where a prescribed displacement does.
    *
-   * It is asked for on the plane only: what depends on the distance from it is
-   * taken for the computed half, whose mirror image the other one is.
+   * Symmetry is asked for on the plane only: what depends on the distance from
+   * the plane is taken for the computed half, whose mirror image the other one
+   * is.
    */
   class SymmetryCheck : public ParameterOwner
   {
