@@ -28,8 +28,8 @@ namespace lumbricus
    * integrated exactly by 3 x 3 points, and a_k is its exact derivative, since S_k
    * is closed but for planes of symmetry through the origin, at which x . n = 0
    * and du . n = 0. For the same reason da_k/du is symmetric as a whole, and is
-   * taken symmetric face by face (Rumpel and Schweizerhof 2003, Int. J. Numer.
-   * Meth. Engng 57: volume-dependent pressure loading).
+   * taken symmetric face by face (Rumpel and Schweizerhof 2003,
+   * Int. J. Numer. Meth. Eng. 56).
    */
   class Cavities : public BorderSource
   {
