@@ -80,12 +80,13 @@ namespace lumbricus
     const double       available = available_megabytes(comm);
     std::ostringstream message;
     message.precision(3);
-    message << "Parameter 'Mesh/Global refinements' is " << n_global
-            << ": the mesh would have " << n_cells
+    message << "is " << n_global << ": the mesh would have " << n_cells
             << " cells, which take more than " << needed / 1024.
             << " GB a rank, of " << available / 1024.
             << " GB available. Refine less often, or take more machines.";
-    AssertThrow(n_global == 0 || needed <= available, ExcInput(message.str()));
+    AssertThrow(n_global == 0 || needed <= available,
+                ExcInput(
+                  about_parameter("Mesh/Global refinements", message.str())));
   }
 
 

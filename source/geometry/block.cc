@@ -163,21 +163,25 @@ namespace lumbricus
         AssertThrow(std::count(block_face_names.begin(),
                                block_face_names.end(),
                                patch.name) == 0,
-                    ExcInput("Parameter '" + path + "/Patches': '" +
-                             patch.name +
-                             "' is the name of a face. Choose another."));
+                    ExcInput(about_parameter(path + "/Patches",
+                                             ": '" + patch.name +
+                                               "' is the name of a face. "
+                                               "Choose another.")));
         AssertThrow(!mirror_face(patch.face()),
-                    ExcInput("Parameter '" + section + "/Face': '" + face +
-                             "' is a plane of symmetry. Choose another face, "
-                             "or take " +
-                             face[0] + " out of '" + path + "/Symmetry'."));
+                    ExcInput(about_parameter(
+                      section + "/Face",
+                      ": '" + face +
+                        "' is a plane of symmetry. Choose another face, or "
+                        "take " +
+                        face[0] + " out of '" + path + "/Symmetry'.")));
         patch.check(section, lengths, n_cells);
         for (unsigned int j = 0; j < i; ++j)
           AssertThrow(!patch.overlaps(patches[j]),
-                      ExcInput("Parameter '" + path + "/Patches': '" +
-                               patches[j].name + "' and '" + patch.name +
-                               "' overlap on '" + face +
-                               "'. Make them disjoint."));
+                      ExcInput(about_parameter(
+                        path + "/Patches",
+                        ": '" + patches[j].name + "' and '" + patch.name +
+                          "' overlap on '" + face +
+                          "'. Make them disjoint.")));
       }
   }
 

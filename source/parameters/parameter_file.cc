@@ -89,17 +89,6 @@ namespace lumbricus
 
 
 
-    std::string
-    quoted_list(const std::vector<std::string> &names)
-    {
-      std::string list;
-      for (const std::string &name : names)
-        list += (list.empty() ? "'" : ", '") + name + "'";
-      return list.empty() ? "none" : list;
-    }
-
-
-
     // What is wrong with a name out of a list, or with the only one.
     std::string
     unfit_name_in(const std::string &value)

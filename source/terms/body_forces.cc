@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/user_text.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/terms/body_forces.h>
 
@@ -102,17 +103,18 @@ namespace lumbricus
   BodyForces::initialize(const Geometry &geometry)
   {
     const std::vector<TissueName> known = geometry.tissues();
-    std::string                   solid;
+    std::vector<std::string>      solid;
     for (const TissueName &tissue : known)
       if (!tissue.liquid)
-        solid += (solid.empty() ? "'" : ", '") + tissue.name + "'";
+        solid.push_back(tissue.name);
 
     for (unsigned int i = 0; i < forces.size(); ++i)
       {
         NamedBodyForce &force = forces[i];
         const auto      wrong = [&](const std::string &what) {
           return ExcParameter(own_section + "/" + force.name + "/Tissues",
-                              what + " Give some of " + solid + ".");
+                              what + " Give some of " + quoted_list(solid) +
+                                ".");
         };
         for (const std::string &name : force.tissues)
           {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/user_text.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/terms/boundary_conditions.h>
 
@@ -17,17 +18,6 @@ namespace lumbricus
   namespace
   {
     const std::string section = "Boundary conditions";
-
-
-
-    std::string
-    quoted_list(const std::vector<std::string> &names)
-    {
-      std::string all;
-      for (const std::string &name : names)
-        all += (all.empty() ? "'" : ", '") + name + "'";
-      return all;
-    }
 
 
 

@@ -3,6 +3,7 @@
 #define lumbricus_parameters_registry_h
 
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/user_text.h>
 #include <lumbricus/parameters/parameter_owner.h>
 #include <lumbricus/parameters/registration.h>
 
@@ -70,10 +71,10 @@ namespace lumbricus
     static std::string
     quoted_names()
     {
-      std::string all;
+      std::vector<std::string> all;
       for (const auto &entry : entries())
-        all += (all.empty() ? "'" : ", '") + entry.first + "'";
-      return all;
+        all.push_back(entry.first);
+      return quoted_list(all);
     }
 
     /** One sentence per implementation, for the reference page. */
