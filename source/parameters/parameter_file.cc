@@ -223,6 +223,11 @@ namespace lumbricus
                              line,
                              message.substr(begin, message.rfind('>') - begin));
       }
+    catch (const ExcParameter &exception)
+      {
+        reason = source.place(line) + ": " +
+                 about_parameter(line.path, exception.complaint());
+      }
     catch (const dealii::ExceptionBase &exception)
       {
         reason = source.place(line) + ": the parameter '" + line.path +
@@ -391,9 +396,14 @@ namespace lumbricus
           prm.set(entry, value);
           return true;
         }
-      catch (const dealii::ExceptionBase &)
+      catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern &)
         {
           return false;
+        }
+      catch (const dealii::ExceptionBase &)
+        {
+          // An expression is a text too.
+          return true;
         }
     };
 

@@ -47,6 +47,13 @@ namespace lumbricus
       return ExcParameter(section + "/" + path, what_is_wrong);
     }
 
+    /** What the message says of the parameter. */
+    const std::string &
+    complaint() const
+    {
+      return what_is_wrong;
+    }
+
   private:
     std::string path;
     std::string what_is_wrong;
