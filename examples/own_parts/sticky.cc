@@ -39,16 +39,6 @@ namespace
     }
 
     void
-    initialize(const std::string & /*name*/) override
-    {}
-
-    std::vector<lumbricus::Expression>
-    expressions() const override
-    {
-      return {};
-    }
-
-    void
     surface(const lumbricus::SurfacePoint &point,
             lumbricus::SurfaceResponse    &response) const override
     {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/action/muscle_action.h>
-#include <lumbricus/core/exceptions.h>
 
 #include <cctype>
 
@@ -24,7 +23,11 @@ namespace lumbricus
                              const std::string &documentation)
     : quantity_name(quantity)
     , rest(at_rest)
-    , activation_choice(capitalised(quantity), "", documentation)
+    , activation_choice(capitalised(quantity),
+                        "",
+                        documentation,
+                        Placement::own_section,
+                        ": the muscle has no " + quantity)
   {}
 
 
@@ -49,21 +52,17 @@ namespace lumbricus
   void
   MuscleAction::check_parameters() const
   {
-    AssertThrow(activation_choice.get() != nullptr,
-                ExcParameter(capitalised(quantity_name),
-                             "is not set: the muscle has no " + quantity_name +
-                               ". Set it to one of " +
-                               Registry<Activation>::quoted_names() + "."));
     activation_choice.check_parameters();
   }
 
 
 
   void
-  MuscleAction::initialize(const std::string &muscle,
-                           const unsigned int n_segments)
+  MuscleAction::initialize(const std::string &section,
+                           const Geometry    &geometry)
   {
-    activation_choice.get()->initialize(muscle, n_segments);
+    activation_choice.get()->initialize(activation_choice.section_in(section),
+                                        geometry);
   }
 
 

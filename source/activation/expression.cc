@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/activation/activation.h>
+#include <lumbricus/geometry/geometry.h>
 #include <lumbricus/parameters/expression.h>
 #include <lumbricus/parameters/registry.h>
-
-#include <deal.II/base/patterns.h>
 
 #include <vector>
 
@@ -16,28 +15,23 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override
     {
-      prm.add_parameter(
-        "Formula",
-        formula,
+      formula.declare_parameter(
+        prm,
         "[1] The active stretch (less than 1 contracts) as a formula of the "
         "time t, the number s of the segment (from 1 at the head), the number "
-        "n of segments, the reference position x, y, z, and pi.",
-        dealii::Patterns::Anything());
+        "n of segments, the reference position x, y, z, and pi.");
     }
 
     void
-    initialize(const std::string &muscle,
-               const unsigned int n_segments) override
+    initialize(const std::string & /*section*/,
+               const Geometry &geometry) override
     {
       // s and n are constants to a parser, so each segment has its own.
-      const std::string name = "Muscles/" + muscle + "/expression/Formula";
+      const unsigned int n = geometry.n_segments();
       lambda.clear();
-      lambda.reserve(n_segments);
-      for (unsigned int s = 1; s <= n_segments; ++s)
-        lambda.emplace_back(name,
-                            formula,
-                            std::map<std::string, double>{
-                              {"s", double(s)}, {"n", double(n_segments)}});
+      lambda.reserve(n);
+      for (unsigned int s = 1; s <= n; ++s)
+        lambda.push_back(formula.with({{"s", double(s)}, {"n", double(n)}}));
     }
 
     double
@@ -51,7 +45,7 @@ namespace lumbricus
     }
 
   private:
-    std::string             formula = "1";
+    Expression              formula = {"Formula", "1", {{"s", 1.}, {"n", 1.}}};
     std::vector<Expression> lambda;
   };
 

@@ -6,16 +6,10 @@
 
 #include <cmath>
 #include <sstream>
+#include <string>
 
 namespace lumbricus
 {
-  namespace
-  {
-    const std::string parameter = "Mesh/Refine where";
-  } // namespace
-
-
-
   void
   MeshRefinement::declare_parameters(dealii::ParameterHandler &prm)
   {
@@ -31,19 +25,10 @@ namespace lumbricus
                       "where' are cut into eight. The pieces keep the shape "
                       "of the whole.",
                       dealii::Patterns::Integer(0, 8));
-    prm.add_parameter("Refine where",
-                      formula,
-                      "A formula in the place at rest x, y, z: cells at whose "
-                      "centre it is positive are refined.");
+    where.declare_parameter(prm,
+                            "A formula in the place at rest x, y, z: cells at "
+                            "whose centre it is positive are refined.");
     prm.leave_subsection();
-  }
-
-
-
-  void
-  MeshRefinement::initialize()
-  {
-    where = std::make_unique<Expression>(parameter, formula);
   }
 
 
@@ -80,12 +65,13 @@ namespace lumbricus
     const double       available = available_megabytes(comm);
     std::ostringstream message;
     message.precision(3);
-    message << "Parameter 'Mesh/Global refinements' is " << n_global
-            << ": the mesh would have " << n_cells
+    message << "is " << n_global << ": the mesh would have " << n_cells
             << " cells, which take more than " << needed / 1024.
             << " GB a rank, of " << available / 1024.
             << " GB available. Refine less often, or take more machines.";
-    AssertThrow(n_global == 0 || needed <= available, ExcInput(message.str()));
+    AssertThrow(n_global == 0 || needed <= available,
+                ExcInput(
+                  about_parameter("Mesh/Global refinements", message.str())));
   }
 
 
@@ -103,11 +89,14 @@ namespace lumbricus
   {
     std::string message;
     mark_where(triangulation, [&](const auto &cell) {
-      const double value = where->value(cell->center(), 0.);
+      const double value = where.value(cell->center(), 0.);
       if (!std::isfinite(value))
-        message = "Parameter '" + parameter + "': the formula '" + formula +
-                  "' has no value at the point " + point_text(cell->center()) +
-                  ". Give one that is defined in all of the body.";
+        message = about_parameter("Mesh/" + where.parameter(),
+                                  ": the formula '" + where.formula() +
+                                    "' has no value at the point " +
+                                    point_text(cell->center()) +
+                                    ". Give one that is defined in all of the "
+                                    "body.");
       return value > 0.;
     });
     throw_on_all_ranks<ExcInput>(message, triangulation.get_communicator());

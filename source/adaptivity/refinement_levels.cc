@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/adaptivity/refinement_levels.h>
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/user_text.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -79,7 +80,8 @@ namespace lumbricus
   RefinementLevels::initialize(const Anatomy &anatomy, const unsigned int least)
   {
     by_tissue.clear();
-    auto unknown = of_tissues;
+    auto                     unknown = of_tissues;
+    std::vector<std::string> names;
     for (const TissueName &tissue : anatomy.geometry().tissues())
       {
         const auto own = of_tissues.find(tissue.name);
@@ -89,18 +91,16 @@ namespace lumbricus
         range.finest   = std::max(range.finest, least);
         by_tissue.push_back(range);
         unknown.erase(tissue.name);
+        names.push_back(tissue.name);
       }
 
-    std::string names;
-    for (const TissueName &tissue : anatomy.geometry().tissues())
-      names += (names.empty() ? "'" : ", '") + tissue.name + "'";
     AssertThrow(unknown.empty(),
-                ExcInput("Parameter 'Adaptivity/" + of_tissues_name +
-                         "' names the tissue '" +
-                         (unknown.empty() ? "" : unknown.begin()->first) +
-                         "', which the body does not have. Name one that it "
-                         "has: " +
-                         names + "."));
+                ExcInput(about_parameter(
+                  "Adaptivity/" + of_tissues_name,
+                  "names the tissue '" +
+                    (unknown.empty() ? "" : unknown.begin()->first) +
+                    "', which the body does not have. Name one that it has: " +
+                    quoted_list(names) + ".")));
   }
 
 

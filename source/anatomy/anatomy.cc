@@ -12,7 +12,10 @@
 namespace lumbricus
 {
   Anatomy::Anatomy()
-    : geometry_choice("Shape", "segment chain", "The shape of the body.")
+    : geometry_choice("Geometry",
+                      "Shape",
+                      "segment chain",
+                      "The shape of the body.")
   {}
 
 
@@ -20,9 +23,7 @@ namespace lumbricus
   void
   Anatomy::declare_parameters(dealii::ParameterHandler &prm)
   {
-    prm.enter_subsection("Geometry");
     geometry_choice.declare_parameters(prm);
-    prm.leave_subsection();
   }
 
 
@@ -30,9 +31,7 @@ namespace lumbricus
   bool
   Anatomy::extend_parameters(dealii::ParameterHandler &prm, const Extent extent)
   {
-    prm.enter_subsection("Geometry");
     bool extended = geometry_choice.extend_parameters(prm, extent);
-    prm.leave_subsection();
 
     // The geometry's own entries have to be read before it has tissues.
     if (extended && extent == Extent::chosen)
@@ -68,7 +67,7 @@ namespace lumbricus
   void
   Anatomy::check_parameters() const
   {
-    within_section("Geometry", [&]() { geometry_choice.check_parameters(); });
+    geometry_choice.check_parameters();
     within_section("Tissues", [&]() { tissues.check_parameters(); });
     within_section("Muscles", [&]() { muscles.check_parameters(); });
     check_field_names();
@@ -152,10 +151,10 @@ namespace lumbricus
         std::vector<const Muscle *> named;
         for (const std::string &name : tissues[i].muscle_names())
           named.push_back(muscles.find(name));
-        tissues[i].initialize(named);
+        tissues[i].set_muscles(named);
       }
     for (unsigned int i = 0; i < muscles.size(); ++i)
-      muscles[i].initialize(geometry_choice->n_segments());
+      muscles[i].initialize("Muscles/" + muscles[i].name(), geometry());
   }
 
 

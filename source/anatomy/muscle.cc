@@ -23,7 +23,11 @@ namespace lumbricus
 
   Muscle::Muscle(const std::string &name)
     : muscle_name(name)
-    , fibre_choice("Fibres", "", "The direction of the fibres at rest.")
+    , fibre_choice("Fibres",
+                   "",
+                   "The direction of the fibres at rest.",
+                   Placement::own_section,
+                   ": the muscle '" + name + "' has no fibres")
     , action_choice("Action",
                     "active stretch",
                     "What the muscle does to the tissue. How much of it, at "
@@ -55,11 +59,6 @@ namespace lumbricus
   void
   Muscle::check_parameters() const
   {
-    AssertThrow(fibre_choice.get() != nullptr,
-                ExcParameter("Fibres",
-                             "is not set: the muscle '" + muscle_name +
-                               "' has no fibres. Set it to one of " +
-                               Registry<FibreField>::quoted_names() + "."));
     fibre_choice.check_parameters();
     action_choice.check_parameters();
   }
@@ -67,10 +66,11 @@ namespace lumbricus
 
 
   void
-  Muscle::initialize(const unsigned int n_segments)
+  Muscle::initialize(const std::string &section, const Geometry &geometry)
   {
-    fibre_choice.get()->initialize(muscle_name);
-    action_choice.get()->initialize(muscle_name, n_segments);
+    fibre_choice.get()->initialize(fibre_choice.section_in(section), geometry);
+    action_choice.get()->initialize(action_choice.section_in(section),
+                                    geometry);
   }
 
 

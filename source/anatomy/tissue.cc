@@ -57,7 +57,7 @@ namespace lumbricus
 
 
   void
-  Tissue::initialize(const std::vector<const Muscle *> &muscles)
+  Tissue::set_muscles(const std::vector<const Muscle *> &muscles)
   {
     chosen_law  = &law();
     its_muscles = muscles;
@@ -95,7 +95,7 @@ namespace lumbricus
   std::string
   Tissue::law_section() const
   {
-    return "Tissues/" + tissue_name + "/" + law_name();
+    return law_choice.section_in("Tissues/" + tissue_name);
   }
 
 

@@ -34,12 +34,12 @@ namespace lumbricus
 
 
 
-  Cavities::Cavities(const Body           &body,
-                     const CellUnknowns   &unknowns,
-                     const CavityContents &contents)
+  Cavities::Cavities(const Body                  &body,
+                     const CellUnknowns          &unknowns,
+                     const Choice<CavityContent> &content)
     : body(body)
     , unknowns(unknowns)
-    , contents(contents)
+    , content(content)
     , faces(body.anatomy.geometry())
     , surface(body.space)
   {}
@@ -210,7 +210,7 @@ namespace lumbricus
       border.corner.reinit(n, n);
     for (unsigned int k = 0; k < n; ++k)
       {
-        const CavityEquation equation = contents.equation(
+        const CavityEquation equation = content->equation(
           {walls[k].segment, sums[k], walls[k].volume_at_rest, P[k], t});
         border.residual.push_back(equation.s + equation.ds_dV * sums[2 * n + k]);
         border.scale.push_back(equation.scale * body_volume /

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/cavities/content.h>
+#include <lumbricus/cavities/cavity_content.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/parameters/registry.h>

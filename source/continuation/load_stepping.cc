@@ -73,11 +73,11 @@ namespace lumbricus
                   ". Change them so that the first step is not smaller than "
                   "the smallest and not larger than the largest."));
     std::ostringstream too_often;
-    too_often << "Parameter 'Time/Result interval' is " << interval
-              << ", less than 'Time/Smallest step', " << smallest
+    too_often << "is " << interval << ", less than 'Time/Smallest step', " << smallest
               << ". Raise it, or set it to 0 for none.";
     AssertThrow(interval == 0. || interval >= smallest,
-                ExcInput(too_often.str()));
+                ExcInput(about_parameter("Time/Result interval",
+                                         too_often.str())));
   }
 
 

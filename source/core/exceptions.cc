@@ -6,6 +6,15 @@
 
 namespace lumbricus
 {
+  std::string
+  about_parameter(const std::string &path, const std::string &what)
+  {
+    return "Parameter '" + path + "'" +
+           (what.compare(0, 1, ":") == 0 ? "" : " ") + what;
+  }
+
+
+
   void
   check_no_name_twice(const std::string              &parameter,
                       const std::vector<std::string> &names)

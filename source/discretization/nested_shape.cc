@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/nested_shape.h>
+#include <lumbricus/discretization/same_cell.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature.h>
 
 namespace lumbricus
 {
-  namespace
-  {
-    unsigned int
-    child_number(const dealii::Triangulation<dim>::cell_iterator &cell)
-    {
-      const auto   parent = cell->parent();
-      unsigned int c      = 0;
-      while (parent->child(c) != cell)
-        ++c;
-      return c;
-    }
-  } // namespace
-
-
-
   NestedShape::NestedShape(const unsigned int degree)
     : fe(degree)
     , on_manifolds(degree)

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/fibres/fibre_field.h>
-#include <lumbricus/parameters/expression.h>
 #include <lumbricus/parameters/registry.h>
 #include <lumbricus/parameters/vector_expression.h>
 
 #include <cmath>
-#include <vector>
+#include <string>
 
 #include "cylindrical_frame.h"
 
@@ -19,43 +18,39 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override
     {
-      prm.add_parameter(
-        "Formulas",
-        formulas,
+      vector.declare_parameter(
+        prm,
         "[x; y; z] Three formulas for the components of a vector along the "
         "fibres, of any length but zero, separated by semicolons. They may use "
         "the reference position x, y, z and the number pi.");
     }
 
     void
-    initialize(const std::string &muscle) override
+    initialize(const std::string &section,
+               const Geometry & /*geometry*/) override
     {
-      parameter  = "Muscles/" + muscle + "/vector expression/Formulas";
-      components = vector_expression(parameter, formulas);
+      parameter = section + "/" + vector.parameter();
     }
 
     dealii::Tensor<1, dim>
     direction(const dealii::Point<dim> &X) const override
     {
-      dealii::Tensor<1, dim> d;
-      for (unsigned int i = 0; i < dim; ++i)
-        d[i] = components[i].value(X, 0.);
-
-      const double length = d.norm();
+      const dealii::Tensor<1, dim> d      = vector.value(X, 0.);
+      const double                 length = d.norm();
       AssertThrow(std::isfinite(length) && length > 0.,
-                  ExcInput("Parameter '" + parameter +
-                           "': the vector has no direction at the point " +
-                           point_text(X) +
-                           ", because its length is zero or not a number. "
-                           "Change the formulas so that they are defined "
-                           "wherever the tissue is."));
+                  ExcInput(about_parameter(
+                    parameter,
+                    ": the vector has no direction at the point " +
+                      point_text(X) +
+                      ", because its length is zero or not a number. Change "
+                      "the formulas so that they are defined wherever the "
+                      "tissue is.")));
       return d / length;
     }
 
   private:
-    std::string             formulas = "1; 0; 0";
-    std::string             parameter;
-    std::vector<Expression> components;
+    VectorExpression vector = {"Formulas", "1; 0; 0"};
+    std::string      parameter;
   };
 
 

@@ -17,6 +17,7 @@
 #include <iterator>
 #include <limits>
 #include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -55,7 +56,7 @@ namespace lumbricus
     declare_parameters(dealii::ParameterHandler &prm) override;
 
     void
-    initialize(const std::string &muscle) override;
+    initialize(const std::string &section, const Geometry &geometry) override;
 
     dealii::Tensor<1, dim>
     direction(const dealii::Point<dim> &X) const override;
@@ -81,6 +82,13 @@ namespace lumbricus
     double
     natural_reach() const;
 
+    /** The error about the parameter 'File'. */
+    ExcInput
+    wrong_file(const std::string &what) const
+    {
+      return ExcInput(about_parameter(path + "File", what));
+    }
+
     /** The message on a point that is beyond the reach. */
     std::string
     too_far(const dealii::Point<dim> &X, const Entry &nearest) const;
@@ -88,7 +96,7 @@ namespace lumbricus
     std::string file_name;
     double      given_reach = 0.;
 
-    std::string                         parameter;
+    std::string                         path; ///< that of the section and '/'
     std::vector<Entry>                  points;
     std::vector<dealii::Tensor<1, dim>> directions;
     std::vector<unsigned int>           line_numbers;
@@ -123,9 +131,10 @@ namespace lumbricus
 
 
   void
-  FibresFromFile::initialize(const std::string &muscle)
+  FibresFromFile::initialize(const std::string &section,
+                             const Geometry & /*geometry*/)
   {
-    parameter = "Muscles/" + muscle + "/file/";
+    path = section + "/";
     read();
     tree                 = dealii::pack_rtree(points);
     const double natural = natural_reach();
@@ -138,17 +147,15 @@ namespace lumbricus
   FibresFromFile::read()
   {
     AssertThrow(!file_name.empty(),
-                ExcInput("Parameter '" + parameter +
-                         "File' is not set. Give the path of a file with a "
-                         "point and a vector in a line, from the working "
-                         "directory."));
+                wrong_file("is not set. Give the path of a file with a point "
+                           "and a vector in a line, from the working "
+                           "directory."));
     std::ifstream in = open_input_file(file_name);
     AssertThrow(in.good(),
-                ExcInput("Parameter '" + parameter + "File': the file '" +
-                         file_name +
-                         "' cannot be read. Give the path of a file with a "
-                         "point and a vector in a line, from the working "
-                         "directory."));
+                wrong_file(": the file '" + file_name +
+                           "' cannot be read. Give the path of a file with a "
+                           "point and a vector in a line, from the working "
+                           "directory."));
     points.clear();
     directions.clear();
     line_numbers.clear();
@@ -167,10 +174,9 @@ namespace lumbricus
         at_top = false;
       }
     AssertThrow(!points.empty(),
-                ExcInput("Parameter '" + parameter + "File': the file '" +
-                         file_name +
-                         "' has no points. Give one line x, y, z, fx, fy, fz "
-                         "for every cell of the muscle."));
+                wrong_file(": the file '" + file_name +
+                           "' has no points. Give one line x, y, z, fx, fy, fz "
+                           "for every cell of the muscle."));
   }
 
 
@@ -181,8 +187,8 @@ namespace lumbricus
   {
     const auto fail = [&](const std::string &what) {
       AssertThrow(false,
-                  ExcInput("Parameter '" + parameter + "File': " + file_name +
-                           ", line " + std::to_string(number) + ", " + what));
+                  wrong_file(": " + file_name + ", line " +
+                             std::to_string(number) + ", " + what));
     };
     if (words.size() != 2 * dim)
       fail("has " + std::to_string(words.size()) +
@@ -226,14 +232,13 @@ namespace lumbricus
             const double distance = point.first.distance(other.first);
             AssertThrow(
               distance > 0. || other.second == point.second,
-              ExcInput("Parameter '" + parameter + "File': " + file_name +
-                       ", lines " +
-                       std::to_string(
-                         line_numbers[std::min(other.second, point.second)]) +
-                       " and " +
-                       std::to_string(
-                         line_numbers[std::max(other.second, point.second)]) +
-                       ", have the same point. Remove one of them."));
+              wrong_file(": " + file_name + ", lines " +
+                         std::to_string(
+                           line_numbers[std::min(other.second, point.second)]) +
+                         " and " +
+                         std::to_string(
+                           line_numbers[std::max(other.second, point.second)]) +
+                         ", have the same point. Remove one of them."));
             largest = std::max(largest, distance);
           }
       }
@@ -247,14 +252,14 @@ namespace lumbricus
                           const Entry              &nearest) const
   {
     std::ostringstream message;
-    message << "Parameter '" << parameter << "File': the file '" << file_name
+    message << ": the file '" << file_name
             << "' lacks the part of the muscle around the point "
             << point_text(X) << ". Its nearest point, "
             << point_text(nearest.first) << " in line "
             << line_numbers[nearest.second] << ", is "
             << X.distance(nearest.first) << " mm away, and the reach is "
             << reach << " mm. Add a line for every cell of the muscle, or set '"
-            << parameter << "Reach' if the fibres there are as in that line.";
+            << path << "Reach' if the fibres there are as in that line.";
     return message.str();
   }
 
@@ -267,7 +272,7 @@ namespace lumbricus
     tree.query(boost::geometry::index::nearest(X, 1),
                std::back_inserter(nearest));
     AssertThrow(X.distance(nearest.front().first) <= reach,
-                ExcInput(too_far(X, nearest.front())));
+                wrong_file(too_far(X, nearest.front())));
     return directions[nearest.front().second];
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/geometry/geometry.h>
-#include <lumbricus/parameters/named_sections.h>
+#include <lumbricus/parameters/named_list.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/parameters/registry.h>
 
@@ -95,8 +95,12 @@ namespace lumbricus
     std::string               tissue   = "block";
     bool                      liquid   = false;
     std::string               symmetry = "";
-    std::vector<std::string>  patch_names;
-    NamedSections<BlockPatch> patches;
+    NamedList<BlockPatch>     patches  = {
+      "Patches",
+      "<patch>",
+      "Rectangles on faces that are boundaries of their own, names of your "
+      "own, each with a section of that name here. The name of the face stands "
+      "for the rest of it."};
   };
 
 
@@ -131,12 +135,7 @@ namespace lumbricus
                       "a plane of mirror symmetry, instead of a boundary with "
                       "a name.",
                       dealii::Patterns::MultipleSelection("x|y|z"));
-    prm.add_parameter("Patches",
-                      patch_names,
-                      "Rectangles on faces that are boundaries of their own, "
-                      "names of your own, each with a section of that name "
-                      "here. The name of the face stands for the rest of it.",
-                      NameList());
+    patches.declare_parameters(prm);
   }
 
 
@@ -144,7 +143,7 @@ namespace lumbricus
   bool
   Block::extend_parameters(dealii::ParameterHandler &prm, const Extent extent)
   {
-    return patches.extend_parameters(prm, extent, patch_names, "<patch>");
+    return patches.extend_parameters(prm, extent);
   }
 
 
@@ -152,7 +151,7 @@ namespace lumbricus
   void
   Block::check_parameters() const
   {
-    check_no_name_twice("Patches", patch_names);
+    patches.check_parameters();
     check_n_coarse_cells(path, double(n_cells[0]) * n_cells[1] * n_cells[2]);
 
     for (unsigned int i = 0; i < patches.size(); ++i)
@@ -163,21 +162,25 @@ namespace lumbricus
         AssertThrow(std::count(block_face_names.begin(),
                                block_face_names.end(),
                                patch.name) == 0,
-                    ExcInput("Parameter '" + path + "/Patches': '" +
-                             patch.name +
-                             "' is the name of a face. Choose another."));
+                    ExcInput(about_parameter(path + "/Patches",
+                                             ": '" + patch.name +
+                                               "' is the name of a face. "
+                                               "Choose another.")));
         AssertThrow(!mirror_face(patch.face()),
-                    ExcInput("Parameter '" + section + "/Face': '" + face +
-                             "' is a plane of symmetry. Choose another face, "
-                             "or take " +
-                             face[0] + " out of '" + path + "/Symmetry'."));
+                    ExcInput(about_parameter(
+                      section + "/Face",
+                      ": '" + face +
+                        "' is a plane of symmetry. Choose another face, or "
+                        "take " +
+                        face[0] + " out of '" + path + "/Symmetry'.")));
         patch.check(section, lengths, n_cells);
         for (unsigned int j = 0; j < i; ++j)
           AssertThrow(!patch.overlaps(patches[j]),
-                      ExcInput("Parameter '" + path + "/Patches': '" +
-                               patches[j].name + "' and '" + patch.name +
-                               "' overlap on '" + face +
-                               "'. Make them disjoint."));
+                      ExcInput(about_parameter(
+                        path + "/Patches",
+                        ": '" + patches[j].name + "' and '" + patch.name +
+                          "' overlap on '" + face +
+                          "'. Make them disjoint.")));
       }
   }
 

@@ -64,9 +64,7 @@ namespace lumbricus
             const double       value = last ? to[i] : from[i];
             const double       n     = std::round(value / cell);
             std::ostringstream message;
-            message << "Parameter '" << section << '/' << (last ? "To" : "From")
-                    << "': "
-                    << "xyz"[d] << " = " << value;
+            message << ": " << "xyz"[d] << " = " << value;
             if (n > n_cells[d])
               message << " is outside of the block, which ends at "
                       << lengths[d] << ". Give a smaller number.";
@@ -77,13 +75,16 @@ namespace lumbricus
                       << n * cell << ", or change 'Cells'.";
             else
               continue;
-            AssertThrow(false, ExcInput(message.str()));
+            AssertThrow(false,
+                        ExcInput(about_parameter(
+                          section + (last ? "/To" : "/From"), message.str())));
           }
         AssertThrow(from[i] + cell / 2 < to[i],
-                    ExcInput("Parameter '" + section + "/To': along " +
-                             "xyz"[d] +
-                             " the rectangle has no width. Give a larger "
-                             "number than in 'From'."));
+                    ExcInput(about_parameter(
+                      section + "/To",
+                      std::string(": along ") + "xyz"[d] +
+                        " the rectangle has no width. Give a larger number "
+                        "than in 'From'.")));
       }
   }
 

@@ -96,6 +96,8 @@ namespace lumbricus
     }
 
   private:
+    inline static const std::string path = "Geometry/mesh file";
+
     /** The mesh, which is read when first asked for. */
     const NamedMesh &
     mesh() const;
@@ -176,7 +178,7 @@ namespace lumbricus
     if (read_mesh == nullptr || !(read_for == choices))
       {
         read_mesh = std::make_unique<NamedMesh>(
-          read_named_mesh("Geometry/mesh file", choices));
+          read_named_mesh(path, choices));
         read_for = choices;
       }
     return *read_mesh;
@@ -210,7 +212,7 @@ namespace lumbricus
         }
     if (from.round_faces.empty())
       return;
-    const RoundAxis axis("Geometry/mesh file/Round axis", choices.round_axis);
+    const RoundAxis axis(path + "/Round axis", choices.round_axis);
       triangulation.set_manifold(cylindrical_manifold_id,
                                  dealii::CylindricalManifold<dim>(
                                    axis.direction, axis.point));
@@ -247,14 +249,13 @@ namespace lumbricus
             most             = std::max(most, std::abs(det));
           }
         AssertThrow(least > 1e-3 * most,
-                    ExcInput("Parameter 'Geometry/mesh file/Round surfaces': "
-                             "the cell of the mesh file '" +
-                             choices.file_name + "' at " +
-                             point_text(cell->center()) +
-                             " becomes folded where its faces follow the "
-                             "circle. Name the surface on the other side of "
-                             "the wall too, or mesh it with more cells around "
-                             "the axis."));
+                    ExcInput(about_parameter(
+                      path + "/Round surfaces",
+                      ": the cell of the mesh file '" + choices.file_name +
+                        "' at " + point_text(cell->center()) +
+                        " becomes folded where its faces follow the circle. "
+                        "Name the surface on the other side of the wall too, "
+                        "or mesh it with more cells around the axis.")));
       }
   }
 

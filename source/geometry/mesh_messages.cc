@@ -2,23 +2,10 @@
 #include "mesh_messages.h"
 
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/user_text.h>
 
 namespace lumbricus
 {
-  namespace
-  {
-    std::string
-    quoted_list(const std::set<std::string> &names)
-    {
-      std::string list;
-      for (const std::string &name : names)
-        list += (list.empty() ? "'" : ", '") + name + "'";
-      return list.empty() ? "none" : list;
-    }
-  } // namespace
-
-
-
   MeshMessages::MeshMessages(const std::string &section,
                              const std::string &file_name)
     : section(section)
@@ -31,8 +18,9 @@ namespace lumbricus
   MeshMessages::fail(const std::string &parameter,
                      const std::string &what) const
   {
-    throw ExcInput("Parameter '" + section + "/" + parameter +
-                   "': the mesh file '" + file_name + "'" + what);
+    throw ExcInput(about_parameter(section + "/" + parameter,
+                                   ": the mesh file '" + file_name + "'" +
+                                     what));
   }
 
 

@@ -19,7 +19,7 @@ namespace lumbricus
 
   MshLines::MshLines(const std::string &parameter, const std::string &file_name)
     : in(open_input_file(file_name))
-    , begin("Parameter '" + parameter + "': the mesh file '" + file_name + "'")
+    , begin(about_parameter(parameter, ": the mesh file '" + file_name + "'"))
   {
     if (!in)
       fail(" cannot be read. Give the path of a .msh file of Gmsh, from the "

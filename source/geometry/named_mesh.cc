@@ -171,11 +171,10 @@ namespace lumbricus
         {
           TissueName &tissue = mesh.tissues[index[name]];
           if (tissue.liquid && mesh.tissues.size() > 1)
-            throw ExcInput("Parameter '" + messages.section +
-                           "/Wall layers' has '" + name +
-                           "', which is one of '" + messages.section +
-                           "/Liquid tissues' too. Remove it from one of "
-                           "them.");
+            throw ExcInput(about_parameter(
+              messages.section + "/Wall layers",
+              "has '" + name + "', which is one of '" + messages.section +
+                "/Liquid tissues' too. Remove it from one of them."));
           tissue.wall_layer = true;
         }
     }
@@ -244,9 +243,10 @@ namespace lumbricus
   read_named_mesh(const std::string &section, const NamedMeshChoices &choices)
   {
     AssertThrow(!choices.file_name.empty(),
-                ExcInput("Parameter '" + section +
-                         "/File' is not set. Give the path of a .msh file of "
-                         "Gmsh, from the working directory."));
+                ExcInput(about_parameter(
+                  section + "/File",
+                  "is not set. Give the path of a .msh file of Gmsh, from the "
+                  "working directory.")));
     return Naming(section, choices).mesh;
   }
 } // namespace lumbricus

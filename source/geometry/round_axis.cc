@@ -47,10 +47,11 @@ namespace lumbricus
     dealii::Tensor<1, dim> through;
     AssertThrow(parts.size() == 2 && read_vector(parts[0], through) &&
                   read_vector(parts[1], direction) && direction.norm() > 0.,
-                ExcInput("Parameter '" + parameter + "': '" + text +
-                         "' is no axis. Give 'x', 'y' or 'z', or a point and a "
-                         "direction that is not zero, as '0, 1.5, 0; 0, 0, "
-                         "1'."));
+                ExcInput(about_parameter(
+                  parameter,
+                  ": '" + text +
+                    "' is no axis. Give 'x', 'y' or 'z', or a point and a "
+                    "direction that is not zero, as '0, 1.5, 0; 0, 0, 1'.")));
     point = dealii::Point<dim>(through);
     direction /= direction.norm();
     name = "the axis '" + trimmed + "'";

@@ -65,10 +65,11 @@ namespace lumbricus
     std::set<std::string> taken(reserved.begin(), reserved.end());
     for (const std::string &layer : layers)
       AssertThrow(taken.insert(layer).second,
-                  ExcInput("Parameter '" + path + "/Wall layers': the name '" +
-                           layer +
-                           "' is already that of another tissue of this body. "
-                           "Give every layer a name of its own."));
+                  ExcInput(about_parameter(
+                    path + "/Wall layers",
+                    ": the name '" + layer +
+                      "' is already that of another tissue of this body. Give "
+                      "every layer a name of its own.")));
     check_even(
       path,
       "Cells around a quarter",
@@ -83,11 +84,12 @@ namespace lumbricus
                                   const std::vector<double> &thicknesses) const
   {
     AssertThrow(thicknesses.size() == layers.size(),
-                ExcInput(
-                  "Parameter '" + where + "/Wall layer thicknesses' has " +
-                  std::to_string(thicknesses.size()) + " entries, but '" +
-                  path + "/Wall layers' has " + std::to_string(layers.size()) +
-                  ". Give one thickness for every layer."));
+                ExcInput(about_parameter(
+                  where + "/Wall layer thicknesses",
+                  "has " + std::to_string(thicknesses.size()) +
+                    " entries, but '" + path + "/Wall layers' has " +
+                    std::to_string(layers.size()) +
+                    ". Give one thickness for every layer.")));
   }
 
 
@@ -174,8 +176,9 @@ namespace lumbricus
                            const std::string &reason)
   {
     AssertThrow(n % 2 == 0,
-                ExcInput("Parameter '" + path + "/" + name + "' is " +
-                         std::to_string(n) + ", but has to be even: " + reason +
-                         "."));
+                ExcInput(about_parameter(path + "/" + name,
+                                         "is " + std::to_string(n) +
+                                           ", but has to be even: " + reason +
+                                           ".")));
   }
 } // namespace lumbricus

@@ -30,9 +30,11 @@ namespace lumbricus
       {
         std::smatch parts;
         AssertThrow(std::regex_match(item, parts, format),
-                    ExcInput("Parameter '" + parameter + "': '" + item +
-                             "' is neither the number of a segment nor a range "
-                             "of segments. Write a list like '1, 8-10'."));
+                    ExcInput(about_parameter(
+                      parameter,
+                      ": '" + item +
+                        "' is neither the number of a segment nor a range of "
+                        "segments. Write a list like '1, 8-10'.")));
         const unsigned int first = std::stoul(parts[1]);
         ranges.push_back(
           {first, parts[3].matched ? unsigned(std::stoul(parts[3])) : first});
@@ -54,21 +56,23 @@ namespace lumbricus
         const SegmentRange &range = ranges[r];
         AssertThrow(1 <= range.first && range.first <= range.last &&
                       range.last <= n_segments,
-                    ExcInput("Parameter '" + parameter + "': '" + range.name() +
-                             "' is not within the chain. Its segments are "
-                             "numbered from 1 (head) to " +
-                             std::to_string(n_segments) +
-                             " (tail), and a range starts with the smaller "
-                             "number."));
+                    ExcInput(about_parameter(
+                      parameter,
+                      ": '" + range.name() +
+                        "' is not within the chain. Its segments are numbered "
+                        "from 1 (head) to " +
+                        std::to_string(n_segments) +
+                        " (tail), and a range starts with the smaller "
+                        "number.")));
         for (unsigned int s = range.first; s <= range.last; ++s)
           {
             unsigned int &owner = range_of[s - 1];
             AssertThrow(owner == none,
-                        ExcInput(
-                          "Parameter '" + parameter +
-                          "': two rules for segment " + std::to_string(s) +
-                          ": '" + ranges[owner].name() + "' and '" +
-                          range.name() + "'. Make the ranges disjoint."));
+                        ExcInput(about_parameter(
+                          parameter,
+                          ": two rules for segment " + std::to_string(s) +
+                            ": '" + ranges[owner].name() + "' and '" +
+                            range.name() + "'. Make the ranges disjoint.")));
             owner = r;
           }
       }

@@ -22,12 +22,8 @@ namespace lumbricus
         line.keys.push_back(cell_key(cell));
         for (; cell->level() > 0; cell = cell->parent())
           {
-            const auto   parent = cell->parent();
-            unsigned int c      = 0;
-            while (parent->child(c) != cell)
-              ++c;
-            line.child.push_back(c);
-            line.keys.push_back(cell_key(parent));
+            line.child.push_back(child_number(cell));
+            line.keys.push_back(cell_key(cell->parent()));
           }
         for (unsigned int d = 0; d < dim; ++d)
           {

@@ -5,6 +5,7 @@
 #include <lumbricus/parameters/expression.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/base/patterns.h>
 
 #include <cctype>
 #include <iostream>
@@ -17,7 +18,7 @@ namespace lumbricus
   {
     // The variables and constants there are, for messages: "t, x, y, z, n, pi".
     std::string
-    known_symbols(const std::map<std::string, double> &constants)
+    known_symbols(const Expression::Constants &constants)
     {
       std::string all = "t, x, y, z";
       for (const auto &constant : constants)
@@ -111,15 +112,15 @@ namespace lumbricus
 
 
 
-  Expression::Expression(const std::string                   &name,
-                         const std::string                   &formula,
-                         const std::map<std::string, double> &user_constants)
-    : name(name)
+  Expression::Expression(const std::string &entry,
+                         const std::string &formula,
+                         const Constants   &user_constants)
+    : entry(entry)
     , text(formula)
+    , constants(user_constants)
     , parser(std::make_shared<dealii::FunctionParser<dim>>(1))
   {
-    std::map<std::string, double> constants = user_constants;
-    constants["pi"]                         = dealii::numbers::PI;
+    constants["pi"] = dealii::numbers::PI;
 
     std::string reason;
     if (formula.size() > InputLimits::formula)
@@ -145,11 +146,24 @@ namespace lumbricus
           reason = parser_message(exception);
         }
     AssertThrow(reason.empty(),
-                ExcInput(
-                  "Parameter '" + name + "': the expression '" +
-                  shortened(formula) + "' cannot be read: " + shortened(reason, 300) + "\nIt may use " +
-                  known_symbols(constants) +
-                  " and the functions of muParser (sin, exp, if, min, ...)."));
+                ExcParameter(entry,
+                             ": the expression '" + shortened(formula) +
+                               "' cannot be read: " + shortened(reason, 300) +
+                               "\nIt may use " + known_symbols(constants) +
+                               " and the functions of muParser (sin, exp, if, "
+                               "min, ...)."));
+  }
+
+
+
+  void
+  Expression::declare_parameter(dealii::ParameterHandler &prm,
+                                const std::string        &documentation)
+  {
+    prm.declare_entry(entry, text, dealii::Patterns::Anything(), documentation);
+    prm.add_action(entry, [this](const std::string &formula) {
+      *this = Expression(entry, formula, constants);
+    });
   }
 
 

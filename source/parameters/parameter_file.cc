@@ -89,17 +89,6 @@ namespace lumbricus
 
 
 
-    std::string
-    quoted_list(const std::vector<std::string> &names)
-    {
-      std::string list;
-      for (const std::string &name : names)
-        list += (list.empty() ? "'" : ", '") + name + "'";
-      return list.empty() ? "none" : list;
-    }
-
-
-
     // What is wrong with a name out of a list, or with the only one.
     std::string
     unfit_name_in(const std::string &value)
@@ -233,6 +222,11 @@ namespace lumbricus
         reason                    = wrong_value(source.place(line),
                              line,
                              message.substr(begin, message.rfind('>') - begin));
+      }
+    catch (const ExcParameter &exception)
+      {
+        reason = source.place(line) + ": " +
+                 about_parameter(line.path, exception.complaint());
       }
     catch (const dealii::ExceptionBase &exception)
       {
@@ -402,9 +396,14 @@ namespace lumbricus
           prm.set(entry, value);
           return true;
         }
-      catch (const dealii::ExceptionBase &)
+      catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern &)
         {
           return false;
+        }
+      catch (const dealii::ExceptionBase &)
+        {
+          // An expression is a text too.
+          return true;
         }
     };
 

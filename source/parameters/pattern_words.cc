@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/user_text.h>
 #include <lumbricus/parameters/pattern_words.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <limits>
 #include <regex>
+#include <string>
+#include <vector>
 
 namespace lumbricus
 {
@@ -44,16 +47,16 @@ namespace lumbricus
 
 
 
-    // "'a', 'b' or 'c'" of "a|b|c".
+    // "'a', 'b', 'c'" of "a|b|c".
     std::string
     alternatives(const std::string &names)
     {
-      std::string list;
+      std::vector<std::string> all;
       for (const std::string &name :
            dealii::Utilities::split_string_list(names, '|'))
         if (!name.empty())
-          list += (list.empty() ? "'" : ", '") + name + "'";
-      return list;
+          all.push_back(name);
+      return quoted_list(all);
     }
   } // namespace
 

@@ -2,6 +2,7 @@
 #include "load_balance.h"
 
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/user_text.h>
 #include <lumbricus/discretization/loaded_points.h>
 #include <lumbricus/parameters/expression.h>
 
@@ -10,6 +11,7 @@
 #include <functional>
 #include <iomanip>
 #include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -217,15 +219,12 @@ namespace lumbricus
       return;
 
     std::ostringstream message;
-    message << "The loads are not in balance. At time " << times[worst];
-    bool first = true;
+    std::vector<std::string> acting;
     for (unsigned int i = 0; i < n; ++i)
       if (sums[worst * block + n_of_row + 2 + i] > 0.)
-        {
-          message << (first ? " '" : ", '") << names[i] << "'";
-          first = false;
-        }
-    message << " add up to the force "
+        acting.push_back(names[i]);
+    message << "The loads are not in balance. At time " << times[worst] << " "
+            << quoted_list(acting) << " add up to the force "
             << vector_text(worst_row, 0, 1.) << " N and the moment "
             << vector_text(worst_row, dim, held.L) << " N mm about "
             << point_text(held.X0)

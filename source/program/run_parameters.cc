@@ -6,11 +6,38 @@
 namespace lumbricus
 {
   RunParameters::RunParameters()
-    : continuation("Control",
+    : cavity_content("Cavities",
+                     "Content",
+                     "liquid",
+                     "What is in the chambers that have no cells inside.")
+    , continuation("Path",
+                   "Control",
                    "time",
                    "What is given in a step of the run, which leads from one "
                    "equilibrium to the next.")
-    , linear_solver("Method", "auto", "How linear systems are solved.")
+    , linear_solver("Linear solver",
+                    "Method",
+                    "auto",
+                    "How linear systems are solved.")
+    , output_parts("Output")
+    , owners{&unit_check,
+             &anatomy,
+             &mesh_refinement,
+             &adaptivity,
+             &interface_coupling,
+             &boundary_conditions,
+             &body_forces,
+             &cavity_content,
+             &symmetry_check,
+             &load_stepping,
+             &load_curves,
+             &continuation,
+             &checkpoint_schedule,
+             &reset_iteration,
+             &newton,
+             &predictor,
+             &linear_solver,
+             &stability_watch}
   {}
 
 
@@ -20,34 +47,10 @@ namespace lumbricus
   {
     shared_libraries.declare_parameters(prm);
     prm.add_parameter("Title", title, "One line for the log.");
-    unit_check.declare_parameters(prm);
+    for (ParameterOwner *owner : owners)
+      owner->declare_parameters(prm);
 
-    anatomy.declare_parameters(prm);
-
-    mesh_refinement.declare_parameters(prm);
-    adaptivity.declare_parameters(prm);
-    interface_coupling.declare_parameters(prm);
-    boundary_conditions.declare_parameters(prm);
-    body_forces.declare_parameters(prm);
-    cavity_contents.declare_parameters(prm);
-    symmetry_check.declare_parameters(prm);
-    load_stepping.declare_parameters(prm);
-    load_curves.declare_parameters(prm);
-    prm.enter_subsection("Path");
-    continuation.declare_parameters(prm);
-    prm.leave_subsection();
-    checkpoint_schedule.declare_parameters(prm);
-    reset_iteration.declare_parameters(prm);
-    newton.declare_parameters(prm);
-    predictor.declare_parameters(prm);
-
-    prm.enter_subsection("Linear solver");
-    linear_solver.declare_parameters(prm);
-    prm.leave_subsection();
-
-    stability_watch.declare_parameters(prm);
-
-    prm.enter_subsection("Output");
+    prm.enter_subsection(output_parts.section_name());
     prm.add_parameter("Folder",
                       output_folder,
                       "Where the results go; made where it does not exist. "
@@ -61,8 +64,8 @@ namespace lumbricus
                         " Every step is in the tables" +
                         Registry<Table>::descriptions(),
                       dealii::Patterns::Integer(0));
-    output_parts.declare_parameters(prm);
     prm.leave_subsection();
+    output_parts.declare_parameters(prm);
   }
 
 
@@ -71,20 +74,10 @@ namespace lumbricus
   RunParameters::extend_parameters(dealii::ParameterHandler &prm,
                                    const Extent              extent)
   {
-    bool extended = anatomy.extend_parameters(prm, extent);
-    extended |= adaptivity.extend_parameters(prm, extent);
-    extended |= boundary_conditions.extend_parameters(prm, extent);
-    extended |= body_forces.extend_parameters(prm, extent);
-    extended |= cavity_contents.extend_parameters(prm, extent);
-    prm.enter_subsection("Path");
-    extended |= continuation.extend_parameters(prm, extent);
-    prm.leave_subsection();
-    prm.enter_subsection("Linear solver");
-    extended |= linear_solver.extend_parameters(prm, extent);
-    prm.leave_subsection();
-    prm.enter_subsection("Output");
+    bool extended = false;
+    for (ParameterOwner *owner : owners)
+      extended |= owner->extend_parameters(prm, extent);
     extended |= output_parts.extend_parameters(prm, extent);
-    prm.leave_subsection();
     return extended;
   }
 
@@ -93,16 +86,9 @@ namespace lumbricus
   void
   RunParameters::check_parameters() const
   {
-    anatomy.check_parameters();
-    adaptivity.check_parameters();
-    boundary_conditions.check_parameters();
-    body_forces.check_parameters();
-    cavity_contents.check_parameters();
-    load_stepping.check_parameters();
-    within_section("Path", [&]() { continuation.check_parameters(); });
-    within_section("Linear solver",
-                   [&]() { linear_solver.check_parameters(); });
-    within_section("Output", [&]() { output_parts.check_parameters(); });
+    for (const ParameterOwner *owner : owners)
+      owner->check_parameters();
+    output_parts.check_parameters();
   }
 
 
@@ -111,7 +97,6 @@ namespace lumbricus
   RunParameters::initialize()
   {
     anatomy.initialize();
-    mesh_refinement.initialize();
     adaptivity.initialize(anatomy, mesh_refinement.n_global_refinements());
     boundary_conditions.initialize(anatomy.geometry());
     body_forces.initialize(anatomy.geometry());

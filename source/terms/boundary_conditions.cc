@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/user_text.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/terms/boundary_conditions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "tried_expressions.h"
@@ -16,21 +15,6 @@ namespace lumbricus
 {
   namespace
   {
-    const std::string section = "Boundary conditions";
-
-
-
-    std::string
-    quoted_list(const std::vector<std::string> &names)
-    {
-      std::string all;
-      for (const std::string &name : names)
-        all += (all.empty() ? "'" : ", '") + name + "'";
-      return all;
-    }
-
-
-
     // The conditions at a boundary, often none.
     const std::vector<unsigned int> &
     at_boundary(const std::map<dealii::types::boundary_id,
@@ -45,42 +29,39 @@ namespace lumbricus
 
 
 
-  NamedCondition::NamedCondition(const std::string &name)
-    : name(name)
-    , type("Type", "", "What acts there.")
-  {}
-
-
-
   void
   NamedCondition::declare_parameters(dealii::ParameterHandler &prm)
   {
     prm.add_parameter("Boundary",
                       boundary_name,
                       "The name of the boundary; each shape has its own.");
-    type.declare_parameters(prm);
-  }
-
-
-
-  bool
-  NamedCondition::extend_parameters(dealii::ParameterHandler &prm,
-                                    const Extent              extent)
-  {
-    return type.extend_parameters(prm, extent);
+    NamedTerm::declare_parameters(prm);
   }
 
 
 
   void
-  NamedCondition::check_parameters() const
+  NamedCondition::initialize(const std::string &section,
+                             const Geometry    &geometry)
   {
-    AssertThrow(type.get() != nullptr,
-                ExcParameter("Type",
-                             "is not set. Set it to one of " +
-                               Registry<BoundaryCondition>::quoted_names() +
-                               "."));
-    type.check_parameters();
+    NamedTerm::initialize(section, geometry);
+
+    const std::string inside = geometry.inside_of_body(boundary_name);
+    const std::vector<std::string> known = geometry.boundary_names();
+    AssertThrow(inside.empty(),
+                ExcParameter(section + "/Boundary",
+                             "is '" + boundary_name + "', which " + inside +
+                               ". Loads and supports act at the boundary of "
+                               "the body. Give one of " +
+                               quoted_list(known) + "."));
+    const auto place = std::find(known.begin(), known.end(), boundary_name);
+    AssertThrow(place != known.end(),
+                ExcParameter(section + "/Boundary",
+                             "is '" + boundary_name +
+                               "', but this shape has no such boundary. Give "
+                               "one of " +
+                               quoted_list(known) + "."));
+    boundary = place - known.begin();
   }
 
 
@@ -101,15 +82,21 @@ namespace lumbricus
 
 
 
+  BoundaryConditions::BoundaryConditions()
+    : Section("Boundary conditions",
+              "Names",
+              "<load or support>",
+              "The loads and supports of this run, names of your own, each "
+              "with a section of that name here.")
+  {}
+
+
+
   void
   BoundaryConditions::declare_parameters(dealii::ParameterHandler &prm)
   {
-    prm.enter_subsection(section);
-    prm.add_parameter("Names",
-                      names,
-                      "The loads and supports of this run, names of your "
-                      "own, each with a section of that name here.",
-                      NameList());
+    Section::declare_parameters(prm);
+    prm.enter_subsection(section_name());
     prm.add_parameter("Minimal support",
                       hold_rigid_motions,
                       "Whether to hold the rigid motions that nothing else "
@@ -120,59 +107,15 @@ namespace lumbricus
 
 
 
-  bool
-  BoundaryConditions::extend_parameters(dealii::ParameterHandler &prm,
-                                        const Extent              extent)
-  {
-    prm.enter_subsection(section);
-    const bool extended =
-      conditions.extend_parameters(prm, extent, names, "<load or support>");
-    prm.leave_subsection();
-    return extended;
-  }
-
-
-
-  void
-  BoundaryConditions::check_parameters() const
-  {
-    within_section(section, [&]() {
-      check_no_name_twice("Names", names);
-      conditions.check_parameters();
-    });
-  }
-
-
-
   void
   BoundaryConditions::initialize(const Geometry &geometry)
   {
-    const std::vector<std::string> known = geometry.boundary_names();
-
     std::set<std::pair<dealii::types::boundary_id, unsigned int>> prescribed;
-    for (unsigned int i = 0; i < conditions.size(); ++i)
+    for (unsigned int i = 0; i < size(); ++i)
       {
-        NamedCondition &condition = conditions[i];
-        const std::string inside =
-          geometry.inside_of_body(condition.boundary_name);
-        AssertThrow(inside.empty(),
-                    ExcParameter(section + "/" + condition.name + "/Boundary",
-                                 "is '" + condition.boundary_name +
-                                   "', which " + inside +
-                                   ". Loads and supports act at the boundary "
-                                   "of the body. Give one of " +
-                                   quoted_list(known) + "."));
-        const auto place =
-          std::find(known.begin(), known.end(), condition.boundary_name);
-        AssertThrow(place != known.end(),
-                    ExcParameter(section + "/" + condition.name + "/Boundary",
-                                 "is '" + condition.boundary_name +
-                                   "', but this shape has no such boundary. "
-                                   "Give one of " +
-                                   quoted_list(known) + "."));
-        condition.boundary = place - known.begin();
-        condition.type.get()->initialize(section + "/" + condition.name + "/" +
-                                         condition.type.chosen_name());
+        NamedCondition   &condition = (*this)[i];
+        const std::string section   = section_name() + "/" + condition.name;
+        condition.initialize(section, geometry);
 
         if (condition.surface_term() != nullptr)
           surface_terms[condition.boundary].push_back(i);
@@ -184,7 +127,7 @@ namespace lumbricus
         for (unsigned int c = 0; c < dim; ++c)
           AssertThrow(!components[c] ||
                         prescribed.insert({condition.boundary, c}).second,
-                      ExcInput("Section '" + section + "/" + condition.name +
+                      ExcInput("Section '" + section +
                                "': the displacement along " + "xyz"[c] +
                                " of boundary '" + condition.boundary_name +
                                "' is prescribed twice. Remove one of the two "
@@ -199,7 +142,7 @@ namespace lumbricus
     const dealii::parallel::TriangulationBase<dim> &triangulation,
     const std::vector<double>                      &times) const
   {
-    if (conditions.size() == 0)
+    if (size() == 0)
       return;
 
     std::map<dealii::types::boundary_id, std::vector<dealii::Point<dim>>>
@@ -211,9 +154,10 @@ namespace lumbricus
             centers[face->boundary_id()].push_back(face->center(true));
 
     std::string message;
-    for (unsigned int i = 0; i < conditions.size() && message.empty(); ++i)
-      message = value_that_is_not_finite(conditions[i].type->expressions(),
-                                         centers[conditions[i].boundary],
+    for (unsigned int i = 0; i < size() && message.empty(); ++i)
+      message = value_that_is_not_finite(condition(i).type_section,
+                                         condition(i).type->expressions(),
+                                         centers[condition(i).boundary],
                                          times,
                                          "on the whole boundary");
     throw_on_all_ranks<ExcInput>(message, triangulation.get_communicator());
@@ -224,7 +168,7 @@ namespace lumbricus
   unsigned int
   BoundaryConditions::n_conditions() const
   {
-    return conditions.size();
+    return size();
   }
 
 
@@ -232,7 +176,7 @@ namespace lumbricus
   const NamedCondition &
   BoundaryConditions::condition(const unsigned int i) const
   {
-    return conditions[i];
+    return (*this)[i];
   }
 
 
@@ -251,23 +195,25 @@ namespace lumbricus
           centers[face->boundary_id()].push_back(face->center(true));
 
     std::vector<LoadCurve> curves;
-    for (unsigned int i = 0; i < conditions.size(); ++i)
+    for (unsigned int i = 0; i < size(); ++i)
       {
-        const auto points = some_of(centers[conditions[i].boundary], most_points);
-        if (conditions[i].surface_term() != nullptr)
-          for (const Expression &expression : conditions[i].type->expressions())
-            curves.push_back(curve_of(expression, points));
-        const auto *condition = conditions[i].prescribed_displacement();
+        const auto points =
+          some_of(centers[condition(i).boundary], most_points);
+        if (condition(i).surface_term() != nullptr)
+          for (const Expression &expression : condition(i).type->expressions())
+            curves.push_back(
+              curve_of(condition(i).type_section, expression, points));
+        const auto *prescribed = condition(i).prescribed_displacement();
         for (unsigned int c = 0; c < dim; ++c)
-          if (condition != nullptr && condition->components()[c])
+          if (prescribed != nullptr && prescribed->components()[c])
             {
               LoadCurve curve;
-              curve.what = "the displacement of '" + section + "/" +
-                           conditions[i].name + "'";
+              curve.what = "the displacement of '" + section_name() + "/" +
+                           condition(i).name + "'";
               curve.where = std::string(" along ") + "xyz"[c];
               for (const dealii::Point<dim> &X : points)
-                curve.values.push_back([condition, c, X](const double t) {
-                  return condition->value(c, X, t);
+                curve.values.push_back([prescribed, c, X](const double t) {
+                  return prescribed->value(c, X, t);
                 });
               curves.push_back(curve);
             }
@@ -308,7 +254,7 @@ namespace lumbricus
   {
     for (const auto &[boundary, numbers] : surface_terms)
       for (const unsigned int i : numbers)
-        if (!conditions[i].surface_term()->symmetric())
+        if (!condition(i).surface_term()->symmetric())
           return false;
     return true;
   }

@@ -13,34 +13,26 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override
     {
-      prm.add_parameter("Force",
-                        formulas,
-                        "[N/mm^3] Three expressions in t, x, y, z, separated "
-                        "by semicolons: the force per reference volume.");
-    }
-
-    void
-    initialize(const std::string &name) override
-    {
-      force = vector_expression(name + "/Force", formulas);
+      force.declare_parameter(
+        prm,
+        "[N/mm^3] Three expressions in t, x, y, z, separated by semicolons: "
+        "the force per reference volume.");
     }
 
     std::vector<Expression>
     expressions() const override
     {
-      return force;
+      return force.components();
     }
 
     void
     volume(const VolumePoint &point, VolumeResponse &response) const override
     {
-      for (unsigned int i = 0; i < dim; ++i)
-        response.b[i] = force[i].value(point.X, point.t);
+      response.b = force.value(point.X, point.t);
     }
 
   private:
-    std::string             formulas = "0; 0; 0";
-    std::vector<Expression> force;
+    VectorExpression force = {"Force", "0; 0; 0"};
   };
 
   static const Register<VolumeTerm, DeadBodyForce>

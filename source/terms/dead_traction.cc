@@ -12,34 +12,26 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override
     {
-      prm.add_parameter("Traction",
-                        formulas,
-                        "[N/mm^2] Three expressions in t, x, y, z, separated "
-                        "by semicolons: the force per reference area.");
-    }
-
-    void
-    initialize(const std::string &name) override
-    {
-      traction = vector_expression(name + "/Traction", formulas);
+      traction.declare_parameter(
+        prm,
+        "[N/mm^2] Three expressions in t, x, y, z, separated by semicolons: "
+        "the force per reference area.");
     }
 
     std::vector<Expression>
     expressions() const override
     {
-      return traction;
+      return traction.components();
     }
 
     void
     surface(const SurfacePoint &point, SurfaceResponse &response) const override
     {
-      for (unsigned int i = 0; i < dim; ++i)
-        response.T[i] = traction[i].value(point.X, point.t);
+      response.T = traction.value(point.X, point.t);
     }
 
   private:
-    std::string             formulas = "0; 0; 0";
-    std::vector<Expression> traction;
+    VectorExpression traction = {"Traction", "0; 0; 0"};
   };
 
   static const Register<BoundaryCondition, DeadTraction>

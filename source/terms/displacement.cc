@@ -22,22 +22,16 @@ namespace lumbricus
         "The components that are prescribed; the others are "
         "free.",
         dealii::Patterns::List(dealii::Patterns::Selection("x|y|z"), 1, dim));
-      prm.add_parameter("Displacement",
-                        formulas,
-                        "[mm] Three expressions in t, x, y, z, separated by "
-                        "semicolons; those of free components are not used.");
-    }
-
-    void
-    initialize(const std::string &name) override
-    {
-      displacement = vector_expression(name + "/Displacement", formulas);
+      displacement.declare_parameter(
+        prm,
+        "[mm] Three expressions in t, x, y, z, separated by semicolons; those "
+        "of free components are not used.");
     }
 
     std::vector<Expression>
     expressions() const override
     {
-      return displacement;
+      return displacement.components();
     }
 
     std::array<bool, dim>
@@ -56,13 +50,12 @@ namespace lumbricus
           const dealii::Point<dim> &X,
           const double              t) const override
     {
-      return displacement[component].value(X, t);
+      return displacement.components()[component].value(X, t);
     }
 
   private:
     std::vector<std::string> component_names = {"x", "y", "z"};
-    std::string              formulas        = "0; 0; 0";
-    std::vector<Expression>  displacement;
+    VectorExpression         displacement    = {"Displacement", "0; 0; 0"};
   };
 
   static const Register<BoundaryCondition, DisplacementOfFormulas>

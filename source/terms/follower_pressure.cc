@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/parameters/expression.h>
 #include <lumbricus/parameters/registry.h>
 #include <lumbricus/terms/surface_term.h>
-
-#include <memory>
 
 namespace lumbricus
 {
@@ -18,22 +17,16 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override
     {
-      prm.add_parameter("Pressure",
-                        formula,
-                        "[N/mm^2] An expression in t, x, y, z (reference "
-                        "position); positive presses onto the body.");
-    }
-
-    void
-    initialize(const std::string &name) override
-    {
-      pressure = std::make_unique<Expression>(name + "/Pressure", formula);
+      pressure.declare_parameter(
+        prm,
+        "[N/mm^2] An expression in t, x, y, z (reference position); positive "
+        "presses onto the body.");
     }
 
     std::vector<Expression>
     expressions() const override
     {
-      return {*pressure};
+      return {pressure};
     }
 
     bool
@@ -45,7 +38,7 @@ namespace lumbricus
     void
     surface(const SurfacePoint &point, SurfaceResponse &response) const override
     {
-      const double P     = pressure->value(point.X, point.t);
+      const double P     = pressure.value(point.X, point.t);
       const auto   F_inv = invert(point.F);
       const auto   n     = determinant(point.F) *
                      dealii::Tensor<1, dim>(transpose(F_inv) * point.N);
@@ -59,8 +52,7 @@ namespace lumbricus
     }
 
   private:
-    std::string                 formula = "0";
-    std::unique_ptr<Expression> pressure;
+    Expression pressure = {"Pressure", "0"};
   };
 
   static const Register<BoundaryCondition, FollowerPressure>

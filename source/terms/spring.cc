@@ -5,8 +5,6 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
-#include <memory>
-
 namespace lumbricus
 {
   /**
@@ -26,16 +24,6 @@ namespace lumbricus
       prm.add_parameter("Only along the normal",
                         only_normal,
                         "Whether the surface may slide along itself freely.");
-    }
-
-    void
-    initialize(const std::string & /*name*/) override
-    {}
-
-    std::vector<Expression>
-    expressions() const override
-    {
-      return {};
     }
 
     void

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-
 #include "tried_expressions.h"
+
+#include <lumbricus/core/exceptions.h>
 
 #include <cmath>
 #include <sstream>
@@ -8,7 +9,8 @@
 namespace lumbricus
 {
   std::string
-  value_that_is_not_finite(const std::vector<Expression>         &expressions,
+  value_that_is_not_finite(const std::string                     &section,
+                           const std::vector<Expression>         &expressions,
                            const std::vector<dealii::Point<dim>> &points,
                            const std::vector<double>             &times,
                            const std::string                     &where)
@@ -23,15 +25,14 @@ namespace lumbricus
             const double value = expression.value(points[i], t);
             if (std::isfinite(value))
               continue;
-            const dealii::Point<dim> &X = points[i];
-            std::ostringstream        message;
-            message << "Parameter '" << expression.parameter()
-                    << "': the expression '" << expression.formula() << "' is "
-                    << value << " at time " << t << ", X = (" << X[0] << ", "
-                    << X[1] << ", " << X[2]
-                    << "). Change it so that it is a number " << where
+            std::ostringstream message;
+            message << ": the expression '" << expression.formula() << "' is "
+                    << value << " at time " << t
+                    << ", X = " << point_text(points[i])
+                    << ". Change it so that it is a number " << where
                     << " from time 0 to the end.";
-            return message.str();
+            return about_parameter(section + "/" + expression.parameter(),
+                                   message.str());
           }
     return "";
   }
@@ -39,11 +40,12 @@ namespace lumbricus
 
 
   LoadCurve
-  curve_of(const Expression                      &expression,
+  curve_of(const std::string                     &section,
+           const Expression                      &expression,
            const std::vector<dealii::Point<dim>> &points)
   {
     LoadCurve curve;
-    curve.what = "'" + expression.parameter() + "'";
+    curve.what = "'" + section + "/" + expression.parameter() + "'";
     for (const dealii::Point<dim> &X : points)
       curve.values.push_back(
         [expression, X](const double t) { return expression.value(X, t); });

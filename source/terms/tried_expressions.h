@@ -14,19 +14,22 @@
 namespace lumbricus
 {
   /**
-   * Why the values of @p expressions cannot be used at @p points, of which only
-   * some are tried where there are many, and @p times: one is NaN or infinite.
-   * Empty where they can. @p where they have to be finite, for the message.
+   * Why the values of @p expressions of a section cannot be used at @p points,
+   * of which only some are tried where there are many, and @p times: one is NaN
+   * or infinite. Empty where they can. @p where they have to be finite, for the
+   * message.
    */
   std::string
-  value_that_is_not_finite(const std::vector<Expression>         &expressions,
+  value_that_is_not_finite(const std::string                     &section,
+                           const std::vector<Expression>         &expressions,
                            const std::vector<dealii::Point<dim>> &points,
                            const std::vector<double>             &times,
                            const std::string                     &where);
 
-  /** What @p expression is at @p points over time. */
+  /** What @p expression of the section @p section is at @p points over time. */
   LoadCurve
-  curve_of(const Expression                      &expression,
+  curve_of(const std::string                     &section,
+           const Expression                      &expression,
            const std::vector<dealii::Point<dim>> &points);
 } // namespace lumbricus
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The activations: closed values, smoothness and travel of the wave.
 #include <lumbricus/activation/activation.h>
+#include <lumbricus/geometry/geometry.h>
 
 #include <gtest/gtest.h>
 
@@ -25,7 +26,9 @@ namespace
   activation(const std::string &name, const std::string &text)
   {
     auto result = read_plugin<Activation>(name, text);
-    result->initialize("longitudinal", 10);
+    const auto chain =
+      read_plugin<Geometry>("segment chain", "set Number of segments = 10");
+    result->initialize("Muscles/longitudinal/" + name, *chain);
     return result;
   }
 } // namespace
@@ -141,7 +144,7 @@ TEST(Activation, WrongParametersAreErrorsThatNameThem)
   EXPECT_TRUE(contains(input_error([]() {
                          activation("expression", "set Formula = 1 + q");
                        }),
-                       "'Muscles/longitudinal/expression/Formula'"));
+                       "'Formula'"));
   EXPECT_TRUE(
     contains(input_error([]() { activation("wave", "set Amplitude = 1"); }),
              "'Amplitude'"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The fibre fields: unit length, right angles, and agreement with each other.
 #include <lumbricus/fibres/fibre_field.h>
+#include <lumbricus/geometry/geometry.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -30,7 +31,8 @@ namespace
   fibres(const std::string &name, const std::string &text = "")
   {
     auto result = read_plugin<FibreField>(name, text);
-    result->initialize("biceps");
+    result->initialize("Muscles/biceps/" + name,
+                       *Registry<Geometry>::create("block"));
     return result;
   }
 
@@ -158,12 +160,12 @@ TEST(Fibres, WrongParametersAreErrorsThatNameThem)
   EXPECT_TRUE(contains(input_error([]() {
                          fibres("vector expression", "set Formulas = 1; 2");
                        }),
-                       "'Muscles/biceps/vector expression/Formulas'"));
+                       "'Formulas'"));
   EXPECT_TRUE(contains(input_error([]() {
                          fibres("vector expression",
                                 "set Formulas = 1; 2; foo(x)");
                        }),
-                       "'Muscles/biceps/vector expression/Formulas'"));
+                       "'Formulas'"));
 }
 
 

@@ -77,16 +77,6 @@ end
     {}
 
     void
-    initialize(const std::string & /*name*/) override
-    {}
-
-    std::vector<Expression>
-    expressions() const override
-    {
-      return {};
-    }
-
-    void
     volume(const VolumePoint &point, VolumeResponse &response) const override
     {
       response.db_du[0][1] = 0.02;
@@ -267,9 +257,7 @@ end
     direct->reinit(tangent());
     Vector exact(b);
     direct->solve(exact, b, 1e-6);
-    for (const auto &name :
-         dealii::Utilities::split_string_list(Registry<LinearSolver>::names(),
-                                              '|'))
+    for (const std::string &name : Registry<LinearSolver>::names())
       {
         const auto solver = Registry<LinearSolver>::create(name);
         solver->reinit(tangent());

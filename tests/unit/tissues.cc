@@ -4,6 +4,7 @@
 // alone.
 #include <lumbricus/anatomy/muscle.h>
 #include <lumbricus/anatomy/tissue.h>
+#include <lumbricus/geometry/geometry.h>
 #include <lumbricus/output/output_parts.h>
 
 #include <deal.II/base/mpi.h>
@@ -125,9 +126,10 @@ namespace
       std::vector<const Muscle *> in_it;
       for (const std::string &name : tissue.muscle_names())
         in_it.push_back(name == "pull" ? &pull : &shorten);
-      pull.initialize(1);
-      shorten.initialize(1);
-      tissue.initialize(in_it);
+      const auto bar = Registry<Geometry>::create("block");
+      pull.initialize("Muscles/pull", *bar);
+      shorten.initialize("Muscles/shorten", *bar);
+      tissue.set_muscles(in_it);
     }
 
     // The point of the tissue at a time.

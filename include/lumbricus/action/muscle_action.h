@@ -3,6 +3,7 @@
 #define lumbricus_action_muscle_action_h
 
 #include <lumbricus/activation/activation.h>
+#include <lumbricus/geometry/part_of_body.h>
 #include <lumbricus/materials/material_law.h>
 #include <lumbricus/parameters/registry.h>
 #include <lumbricus/reference_map/active_stretch.h>
@@ -28,7 +29,7 @@ namespace lumbricus
    * add_stretch(), and to it come the stresses of all add_stress(). Its
    * parameters are in the section of the muscle.
    */
-  class MuscleAction : public ParameterOwner
+  class MuscleAction : public PartOfBody
   {
   public:
     /** Declares which Activation there is, named after the quantity. */
@@ -42,9 +43,9 @@ namespace lumbricus
     void
     check_parameters() const override;
 
-    /** Read the expressions of the muscle @p muscle. Throws ExcInput. */
-    virtual void
-    initialize(const std::string &muscle, const unsigned int n_segments);
+    /** That of the activation. */
+    void
+    initialize(const std::string &section, const Geometry &geometry) override;
 
     /** What the activation is, for messages: "active stretch". */
     const std::string &

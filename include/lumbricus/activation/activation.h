@@ -3,7 +3,7 @@
 #define lumbricus_activation_activation_h
 
 #include <lumbricus/core/dimension.h>
-#include <lumbricus/parameters/parameter_owner.h>
+#include <lumbricus/geometry/part_of_body.h>
 
 #include <deal.II/base/point.h>
 
@@ -15,19 +15,9 @@ namespace lumbricus
    * How active a muscle is over time, as its MuscleAction takes it: an active
    * stretch lambda, 1 at rest and less in a contraction, or something else.
    */
-  class Activation : public ParameterOwner
+  class Activation : public PartOfBody
   {
   public:
-    /**
-     * Called once before the first value(), with the name of the muscle, for
-     * messages, and the number of segments in the chain. Throws ExcInput (an
-     * expression that does not parse).
-     */
-    virtual void
-    initialize(const std::string & /*muscle*/,
-               const unsigned int /*n_segments*/)
-    {}
-
     /**
      * The activation at reference position @p X of segment @p segment (counted
      * from one, as users do) at time @p t. The caller checks the range.

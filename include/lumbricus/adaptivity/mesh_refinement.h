@@ -6,9 +6,6 @@
 #include <lumbricus/parameters/expression.h>
 #include <lumbricus/parameters/parameter_owner.h>
 
-#include <memory>
-#include <string>
-
 namespace lumbricus
 {
   /** How the coarse mesh is refined before the run starts. */
@@ -17,10 +14,6 @@ namespace lumbricus
   public:
     void
     declare_parameters(dealii::ParameterHandler &prm) override;
-
-    /** Read the formula. Throws ExcInput. */
-    void
-    initialize();
 
     /**
      * Refine everywhere, then where the formula says so. Throws ExcInput where
@@ -42,10 +35,9 @@ namespace lumbricus
     void
     mark(ParallelMesh &triangulation) const;
 
-    unsigned int                n_global = 0;
-    unsigned int                n_local  = 0;
-    std::string                 formula  = "0";
-    std::unique_ptr<Expression> where;
+    unsigned int n_global = 0;
+    unsigned int n_local  = 0;
+    Expression   where    = {"Refine where", "0"};
   };
 } // namespace lumbricus
 

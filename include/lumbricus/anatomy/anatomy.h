@@ -7,6 +7,7 @@
 #include <lumbricus/geometry/geometry.h>
 #include <lumbricus/parameters/named_sections.h>
 #include <lumbricus/parameters/registry.h>
+#include <lumbricus/parameters/section.h>
 
 #include <deal.II/distributed/tria_base.h>
 
@@ -35,8 +36,8 @@ namespace lumbricus
     void
     check_parameters() const override;
 
-    /** Give the tissues their muscles, and read the muscles' expressions.
-     * Throws ExcInput. */
+    /** Give the tissues their muscles, and initialize these. Throws
+     * ExcInput. */
     void
     initialize();
 
@@ -105,10 +106,10 @@ namespace lumbricus
     void
     check_liquids() const;
 
-    Choice<Geometry>        geometry_choice;
-    NamedSections<Tissue>   tissues;
-    NamedSections<Muscle>   muscles;
-    std::vector<TissueName> tissue_names;
+    Section<Choice<Geometry>> geometry_choice;
+    NamedSections<Tissue>     tissues;
+    NamedSections<Muscle>     muscles;
+    std::vector<TissueName>   tissue_names;
   };
 } // namespace lumbricus
 

@@ -6,6 +6,7 @@
 #include <lumbricus/core/load_curve.h>
 #include <lumbricus/core/load_time.h>
 #include <lumbricus/fibres/fibre_field.h>
+#include <lumbricus/geometry/part_of_body.h>
 #include <lumbricus/parameters/registry.h>
 
 #include <string>
@@ -14,7 +15,7 @@
 namespace lumbricus
 {
   /** A muscle: a family of fibres, and what it does along them over time. */
-  class Muscle : public ParameterOwner
+  class Muscle : public PartOfBody
   {
   public:
     /** The muscle of the section Muscles/@p name. */
@@ -30,9 +31,9 @@ namespace lumbricus
     void
     check_parameters() const override;
 
-    /** Read the expressions. Throws ExcInput. */
+    /** Those of fibres and action. */
     void
-    initialize(const unsigned int n_segments);
+    initialize(const std::string &section, const Geometry &geometry) override;
 
     /** The name of its section, as tissues name it. */
     const std::string &

@@ -38,7 +38,7 @@ namespace lumbricus
     /** Give it the muscles of muscle_names(), in that order; they are kept by
      * reference. After the parameters are read, before evaluate(). */
     void
-    initialize(const std::vector<const Muscle *> &muscles);
+    set_muscles(const std::vector<const Muscle *> &muscles);
 
     /** The name of its section, see TissueName. */
     const std::string &

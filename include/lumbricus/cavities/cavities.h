@@ -2,11 +2,12 @@
 #ifndef lumbricus_cavities_cavities_h
 #define lumbricus_cavities_cavities_h
 
-#include <lumbricus/cavities/contents.h>
+#include <lumbricus/cavities/cavity_content.h>
 #include <lumbricus/discretization/body.h>
 #include <lumbricus/discretization/border.h>
 #include <lumbricus/discretization/cavity_faces.h>
 #include <lumbricus/discretization/surface_kernel.h>
+#include <lumbricus/parameters/registry.h>
 
 #include <deal.II/dofs/dof_handler.h>
 
@@ -35,9 +36,9 @@ namespace lumbricus
   {
   public:
     /** Of the geometry of @p body. All of these are kept by reference. */
-    Cavities(const Body           &body,
-             const CellUnknowns   &unknowns,
-             const CavityContents &contents);
+    Cavities(const Body                  &body,
+             const CellUnknowns          &unknowns,
+             const Choice<CavityContent> &content);
 
     /** After every change of the mesh. Throws ExcInput where the wall around a
      * cavity is not closed. Collective. */
@@ -78,11 +79,11 @@ namespace lumbricus
       std::vector<Face> faces;               // of this rank
     };
 
-    const Body            body;
-    const CellUnknowns   &unknowns;
-    const CavityContents &contents;
-    CavityFaces           faces;
-    SurfaceKernel         surface;
+    const Body                   body;
+    const CellUnknowns          &unknowns;
+    const Choice<CavityContent> &content;
+    CavityFaces                  faces;
+    SurfaceKernel                surface;
 
     std::vector<Wall> walls;
     /** The sum of all volumes at rest and of the wall, the scale of errors. */

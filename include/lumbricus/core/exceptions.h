@@ -21,6 +21,11 @@ namespace lumbricus
   /** The user's input is wrong: the program ends with exit code 1. */
   DeclException1(ExcInput, std::string, << arg1);
 
+  /** "Parameter '<path>' <what>", or "Parameter '<path>': ..." where @p what
+   * begins with a colon. */
+  std::string
+  about_parameter(const std::string &path, const std::string &what);
+
   /**
    * The user's input for one parameter is wrong. Its path may still lack the
    * sections that its owner does not know: within_section() puts them in
@@ -29,9 +34,9 @@ namespace lumbricus
   class ExcParameter : public ExcInput
   {
   public:
-    /** The message is "Parameter '<path>' <what is wrong>". */
+    /** The message is what about_parameter() makes of these. */
     ExcParameter(const std::string &path, const std::string &what)
-      : ExcInput("Parameter '" + path + "' " + what)
+      : ExcInput(about_parameter(path, what))
       , path(path)
       , what_is_wrong(what)
     {}
@@ -42,6 +47,13 @@ namespace lumbricus
     in_section(const std::string &section) const
     {
       return ExcParameter(section + "/" + path, what_is_wrong);
+    }
+
+    /** What the message says of the parameter. */
+    const std::string &
+    complaint() const
+    {
+      return what_is_wrong;
     }
 
   private:

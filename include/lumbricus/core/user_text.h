@@ -21,6 +21,11 @@ namespace lumbricus
   std::string
   shortened(const std::string &text, const std::size_t most = 100);
 
+  /** "'a', 'b', 'c'", as messages list @p names, or "none". */
+  template <class Names>
+  std::string
+  quoted_list(const Names &names);
+
   /**
    * A message as a terminal takes it: of a long one, @p most characters from
    * its beginning and its end, and '?' for what is no UTF-8 or a control
@@ -28,6 +33,18 @@ namespace lumbricus
    */
   std::string
   printable(const std::string &message, const std::size_t most);
+
+
+
+  template <class Names>
+  std::string
+  quoted_list(const Names &names)
+  {
+    std::string list;
+    for (const std::string &name : names)
+      list += (list.empty() ? "'" : ", '") + name + "'";
+    return list.empty() ? "none" : list;
+  }
 } // namespace lumbricus
 
 #endif

@@ -31,6 +31,19 @@ namespace lumbricus
   {
     return {&cell->get_triangulation(), cell->level(), cell->index()};
   }
+
+
+
+  /** Which child of its parent @p cell is, which is not of the coarse mesh. */
+  inline unsigned int
+  child_number(const dealii::Triangulation<dim>::cell_iterator &cell)
+  {
+    const auto   parent = cell->parent();
+    unsigned int c      = 0;
+    while (parent->child(c) != cell)
+      ++c;
+    return c;
+  }
 } // namespace lumbricus
 
 #endif

@@ -3,32 +3,18 @@
 #define lumbricus_fibres_fibre_field_h
 
 #include <lumbricus/core/dimension.h>
-#include <lumbricus/parameters/parameter_owner.h>
+#include <lumbricus/geometry/part_of_body.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
-
-#include <string>
 
 namespace lumbricus
 {
   /** Unit vectors along the fibres of a muscle, in the reference configuration.
    */
-  class FibreField : public ParameterOwner
+  class FibreField : public PartOfBody
   {
   public:
-    void
-    declare_parameters(dealii::ParameterHandler & /*prm*/) override
-    {}
-
-    /**
-     * Called once before the first direction(), with the name of the muscle,
-     * for messages. Throws ExcInput (an expression that does not parse).
-     */
-    virtual void
-    initialize(const std::string & /*muscle*/)
-    {}
-
     /**
      * The unit vector f(X). Throws ExcInput where the field has no direction
      * at @p X (on the axis of a circumferential one), naming the point.

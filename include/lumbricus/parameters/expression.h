@@ -6,6 +6,7 @@
 #include <lumbricus/core/load_time.h>
 
 #include <deal.II/base/function_parser.h>
+#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
 #include <map>
@@ -16,19 +17,31 @@ namespace lumbricus
 {
   /**
    * A formula in the time t and the reference position x, y, z, with further
-   * constants by name (pi is always one), read by muParser. Copies are cheap
-   * and share the parser.
+   * constants by name (pi is always one), read by muParser: a type that
+   * parameters have, as numbers are. Copies are cheap and share the parser.
    */
   class Expression
   {
   public:
+    /** Constants by name. */
+    using Constants = std::map<std::string, double>;
+
     /**
-     * @param name the full name of the parameter, for messages.
-     * Throws ExcInput where @p formula does not parse.
+     * @param entry the name of the parameter in its section.
+     * Throws ExcParameter where @p formula does not parse.
      */
-    Expression(const std::string                   &name,
-               const std::string                   &formula,
-               const std::map<std::string, double> &constants = {});
+    Expression(const std::string &entry,
+               const std::string &formula,
+               const Constants   &constants = {});
+
+    /**
+     * Declare the parameter in the current section, with this formula as its
+     * default. From now on this object is what it is set to: it must not be
+     * moved. Setting it throws ExcParameter where the formula does not parse.
+     */
+    void
+    declare_parameter(dealii::ParameterHandler &prm,
+                      const std::string        &documentation);
 
     /**
      * The value at reference position @p x and time @p t. It may be NaN or
@@ -43,11 +56,11 @@ namespace lumbricus
     double
     value(const dealii::Point<dim> &x, const LoadTime &t) const;
 
-    /** The full name of the parameter. */
+    /** The name of the parameter in its section. */
     const std::string &
     parameter() const
     {
-      return name;
+      return entry;
     }
 
     /** The formula as the user wrote it. */
@@ -57,9 +70,17 @@ namespace lumbricus
       return text;
     }
 
+    /** The same formula with @p constants of the same names. */
+    Expression
+    with(const Constants &constants) const
+    {
+      return Expression(entry, text, constants);
+    }
+
   private:
-    std::string                                  name;
+    std::string                                  entry;
     std::string                                  text;
+    Constants                                    constants;
     std::shared_ptr<dealii::FunctionParser<dim>> parser;
   };
 

@@ -114,11 +114,13 @@ namespace lumbricus
         {
           prm.set(name, "");
         }
-      catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern &)
-        {}
       catch (const dealii::ParameterHandler::ExcEntryUndeclared &)
         {
           is_parameter = false;
+        }
+      catch (const dealii::ExceptionBase &)
+        {
+          // There is one, and it does not take that.
         }
       AssertThrow(!is_parameter,
                   ExcInput("'" + name +

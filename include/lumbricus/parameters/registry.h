@@ -3,6 +3,7 @@
 #define lumbricus_parameters_registry_h
 
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/core/user_text.h>
 #include <lumbricus/parameters/parameter_owner.h>
 #include <lumbricus/parameters/registration.h>
 
@@ -56,23 +57,13 @@ namespace lumbricus
       return entry->second.create();
     }
 
-    /** The names as "a|b|c", what Patterns::Selection takes. */
-    static std::string
+    /** The names, in their order. */
+    static std::vector<std::string>
     names()
     {
-      std::string all;
+      std::vector<std::string> all;
       for (const auto &entry : entries())
-        all += (all.empty() ? "" : "|") + entry.first;
-      return all;
-    }
-
-    /** The names as "'a', 'b', 'c'", for messages. */
-    static std::string
-    quoted_names()
-    {
-      std::string all;
-      for (const auto &entry : entries())
-        all += (all.empty() ? "'" : ", '") + entry.first + "'";
+        all.push_back(entry.first);
       return all;
     }
 
@@ -129,17 +120,20 @@ namespace lumbricus
   public:
     /**
      * The entry @p entry with this default, where empty means that the user has
-     * to choose; the reference has @p documentation and a sentence for each
+     * to choose, else @p what_is_missing, as in ": the muscle has no fibres";
+     * the reference has @p documentation and a sentence for each
      * implementation, whose parameters are at @p placement.
      */
     Choice(const std::string &entry,
            const std::string &default_name,
            const std::string &documentation,
-           const Placement    placement = Placement::own_section)
+           const Placement    placement       = Placement::own_section,
+           const std::string &what_is_missing = "")
       : entry(entry)
       , name(default_name)
       , documentation(documentation)
       , placement(placement)
+      , what_is_missing(what_is_missing)
     {}
 
     /** Do this with every object before its parameters are declared, to change
@@ -154,12 +148,14 @@ namespace lumbricus
     declare_parameters(dealii::ParameterHandler &prm) override
     {
       // An empty default means that the user has to choose.
-      const std::string none = name.empty() ? "|" : "";
+      std::string choices;
+      for (const std::string &choice : Registry<Base>::names())
+        choices += (choices.empty() ? "" : "|") + choice;
       prm.add_parameter(entry,
                         name,
                         documentation + Registry<Base>::descriptions(),
-                        dealii::Patterns::Selection(Registry<Base>::names() +
-                                                    none));
+                        dealii::Patterns::Selection(
+                          choices + (name.empty() ? "|" : "")));
     }
 
     bool
@@ -190,12 +186,24 @@ namespace lumbricus
     check_parameters() const override
     {
       const auto *object = get();
-      if (object == nullptr)
-        return;
+      AssertThrow(object != nullptr,
+                  ExcParameter(entry,
+                               "is not set" + what_is_missing +
+                                 ". Set it to one of " +
+                                 quoted_list(Registry<Base>::names()) + "."));
       if (placement == Placement::own_section)
         within_section(name, [&]() { object->check_parameters(); });
       else
         object->check_parameters();
+    }
+
+    /** The full name of the section with the parameters of what was chosen,
+     * where the entry is in @p section. */
+    std::string
+    section_in(const std::string &section) const
+    {
+      return placement == Placement::own_section ? section + "/" + name :
+                                                   section;
     }
 
     /** What the entry says; empty where nothing was chosen. */
@@ -269,6 +277,7 @@ namespace lumbricus
     std::string                                  name;
     const std::string                            documentation;
     const Placement                              placement;
+    const std::string                            what_is_missing;
     std::function<void(Base &)>                  prepare;
     std::map<std::string, std::unique_ptr<Base>> objects;
   };

@@ -5,7 +5,7 @@
 #include <lumbricus/adaptivity/adaptivity.h>
 #include <lumbricus/adaptivity/mesh_refinement.h>
 #include <lumbricus/anatomy/anatomy.h>
-#include <lumbricus/cavities/contents.h>
+#include <lumbricus/cavities/cavity_content.h>
 #include <lumbricus/checkpoint/checkpoint_schedule.h>
 #include <lumbricus/constraints/interface_coupling.h>
 #include <lumbricus/continuation/continuation.h>
@@ -15,7 +15,9 @@
 #include <lumbricus/equilibrium/reset_iteration.h>
 #include <lumbricus/linear/linear_solver.h>
 #include <lumbricus/output/output_parts.h>
+#include <lumbricus/parameters/parameter_owner.h>
 #include <lumbricus/parameters/registry.h>
+#include <lumbricus/parameters/section.h>
 #include <lumbricus/program/shared_libraries.h>
 #include <lumbricus/program/stability_watch.h>
 #include <lumbricus/program/symmetry_check.h>
@@ -75,31 +77,38 @@ namespace lumbricus
     void
     follow_loads(const dealii::parallel::TriangulationBase<dim> &triangulation);
 
-    SharedLibraries      shared_libraries;    ///< loaded before all others
-    std::string          title;               ///< a line for the log
-    UnitCheck            unit_check;          ///< entry Units
-    Anatomy              anatomy;             ///< Geometry, Tissues, Muscles
-    MeshRefinement       mesh_refinement;     ///< section Mesh
-    Adaptivity           adaptivity;          ///< section Adaptivity
-    InterfaceCoupling    interface_coupling;  ///< section Interface
-    BoundaryConditions   boundary_conditions; ///< section Boundary conditions
-    BodyForces           body_forces;         ///< section Body forces
-    CavityContents       cavity_contents;     ///< section Cavities
-    SymmetryCheck        symmetry_check;      ///< section Boundary conditions
-    LoadStepping         load_stepping;       ///< section Time
-    LoadCurves           load_curves;         ///< section Time
-    Choice<Continuation> continuation;        ///< section Path
-    CheckpointSchedule   checkpoint_schedule; ///< section Checkpoints
-    ResetIteration       reset_iteration;     ///< section Reset
-    Newton               newton;              ///< section Newton
-    Predictor            predictor;           ///< section Newton
-    Choice<LinearSolver> linear_solver;       ///< section Linear solver
-    StabilityWatch       stability_watch;     ///< section Stability
+    SharedLibraries    shared_libraries;    ///< loaded before all others
+    std::string        title;               ///< a line for the log
+    UnitCheck          unit_check;          ///< entry Units
+    Anatomy            anatomy;             ///< Geometry, Tissues, Muscles
+    MeshRefinement     mesh_refinement;     ///< section Mesh
+    Adaptivity         adaptivity;          ///< section Adaptivity
+    InterfaceCoupling  interface_coupling;  ///< section Interface
+    BoundaryConditions boundary_conditions; ///< section Boundary conditions
+    BodyForces         body_forces;         ///< section Body forces
+    /** Section Cavities. */
+    Section<Choice<CavityContent>> cavity_content;
+    SymmetryCheck      symmetry_check;      ///< section Boundary conditions
+    LoadStepping       load_stepping;       ///< section Time
+    LoadCurves         load_curves;         ///< section Time
+    /** Section Path. */
+    Section<Choice<Continuation>> continuation;
+    CheckpointSchedule            checkpoint_schedule; ///< section Checkpoints
+    ResetIteration                reset_iteration;     ///< section Reset
+    Newton                        newton;              ///< section Newton
+    Predictor                     predictor;           ///< section Newton
+    /** Section Linear solver. */
+    Section<Choice<LinearSolver>> linear_solver;
+    StabilityWatch                stability_watch; ///< section Stability
     /** Where results go. */
     std::string output_folder = "results";
     /** Load steps from one picture to the next; 0 for the last state only. */
-    unsigned int output_every = 1;
-    OutputParts  output_parts; ///< the other entries of section Output
+    unsigned int         output_every = 1;
+    Section<OutputParts> output_parts; ///< the other entries of section Output
+
+  private:
+    /** All from unit_check to stability_watch, as the reference has them. */
+    const std::vector<ParameterOwner *> owners;
   };
 } // namespace lumbricus
 

@@ -4,8 +4,9 @@
 
 #include <lumbricus/core/load_curve.h>
 #include <lumbricus/geometry/geometry.h>
-#include <lumbricus/parameters/named_sections.h>
-#include <lumbricus/parameters/registry.h>
+#include <lumbricus/parameters/named_list.h>
+#include <lumbricus/parameters/section.h>
+#include <lumbricus/terms/named_term.h>
 #include <lumbricus/terms/volume_term.h>
 
 #include <deal.II/distributed/tria_base.h>
@@ -16,53 +17,41 @@
 namespace lumbricus
 {
   /** One section of Body forces: what acts in which tissues. */
-  class NamedBodyForce : public ParameterOwner
+  class NamedBodyForce : public NamedTerm<VolumeTerm>
   {
   public:
-    /** What the section Body forces/@p name says. */
-    explicit NamedBodyForce(const std::string &name);
+    using NamedTerm::NamedTerm;
 
     void
     declare_parameters(dealii::ParameterHandler &prm) override;
 
-    bool
-    extend_parameters(dealii::ParameterHandler &prm,
-                      const Extent              extent) override;
-
     void
     check_parameters() const override;
 
-    /** The name of the section. */
-    std::string name;
+    /**
+     * Find the tissues. Throws ExcInput for one that does not exist, and for a
+     * liquid: the mesh inside it does not move with its points, which a force
+     * would have to know.
+     */
+    void
+    initialize(const std::string &section, const Geometry &geometry) override;
+
     /** The names of the tissues; none for all but liquids. */
     std::vector<std::string> tissues;
-    /** What acts there. */
-    Choice<VolumeTerm> type;
-    /** Whether it acts in a tissue, by number: BodyForces::initialize(). */
+    /** Whether it acts in a tissue, by number, after initialize(). */
     std::vector<bool> acts_in;
   };
 
 
 
   /** All body forces of a run. */
-  class BodyForces : public ParameterOwner
+  class BodyForces : public Section<NamedList<NamedBodyForce>>
   {
   public:
-    void
-    declare_parameters(dealii::ParameterHandler &prm) override;
+    /** None. */
+    BodyForces();
 
-    bool
-    extend_parameters(dealii::ParameterHandler &prm,
-                      const Extent              extent) override;
-
-    void
-    check_parameters() const override;
-
-    /**
-     * Find the tissues and read the expressions. Throws ExcInput for a tissue
-     * that does not exist, and for a liquid: the mesh inside it does not move
-     * with its points, which a force would have to know.
-     */
+    /** Initialize all. Throws ExcInput. */
     void
     initialize(const Geometry &geometry);
 
@@ -91,10 +80,6 @@ namespace lumbricus
     /** Whether the tangent matrix is symmetric. */
     bool
     symmetric() const;
-
-  private:
-    std::vector<std::string>      names;
-    NamedSections<NamedBodyForce> forces;
   };
 } // namespace lumbricus
 

@@ -4,8 +4,9 @@
 
 #include <lumbricus/core/load_curve.h>
 #include <lumbricus/geometry/geometry.h>
-#include <lumbricus/parameters/named_sections.h>
-#include <lumbricus/parameters/registry.h>
+#include <lumbricus/parameters/named_list.h>
+#include <lumbricus/parameters/section.h>
+#include <lumbricus/terms/named_term.h>
 #include <lumbricus/terms/prescribed_displacement.h>
 #include <lumbricus/terms/surface_term.h>
 
@@ -18,21 +19,17 @@
 namespace lumbricus
 {
   /** One section of Boundary conditions: what acts where. */
-  class NamedCondition : public ParameterOwner
+  class NamedCondition : public NamedTerm<BoundaryCondition>
   {
   public:
-    /** What the section Boundary conditions/@p name says. */
-    explicit NamedCondition(const std::string &name);
+    using NamedTerm::NamedTerm;
 
     void
     declare_parameters(dealii::ParameterHandler &prm) override;
 
-    bool
-    extend_parameters(dealii::ParameterHandler &prm,
-                      const Extent              extent) override;
-
+    /** Find the boundary. Throws ExcInput where there is none of that name. */
     void
-    check_parameters() const override;
+    initialize(const std::string &section, const Geometry &geometry) override;
 
     /** What acts there as a traction, or nullptr. */
     const SurfaceTerm *
@@ -42,37 +39,26 @@ namespace lumbricus
     const PrescribedDisplacement *
     prescribed_displacement() const;
 
-    /** The name of the section. */
-    std::string name;
     /** Where it acts: one of Geometry::boundary_names(). */
     std::string boundary_name;
-    /** What acts there. */
-    Choice<BoundaryCondition> type;
-    /** The id of that boundary, by BoundaryConditions::initialize(). */
+    /** The id of that boundary, after initialize(). */
     dealii::types::boundary_id boundary = dealii::numbers::invalid_boundary_id;
   };
 
 
 
   /** All loads and supports of a run. */
-  class BoundaryConditions : public ParameterOwner
+  class BoundaryConditions : public Section<NamedList<NamedCondition>>
   {
   public:
+    /** None. */
+    BoundaryConditions();
+
     void
     declare_parameters(dealii::ParameterHandler &prm) override;
 
-    bool
-    extend_parameters(dealii::ParameterHandler &prm,
-                      const Extent              extent) override;
-
-    void
-    check_parameters() const override;
-
-    /**
-     * Find the boundaries and read the expressions. Throws ExcInput for a
-     * boundary that does not exist and for two conditions that prescribe the
-     * same displacement.
-     */
+    /** Initialize all. Throws ExcInput, also for two that prescribe the same
+     * displacement. */
     void
     initialize(const Geometry &geometry);
 
@@ -117,9 +103,7 @@ namespace lumbricus
     symmetric() const;
 
   private:
-    bool                          hold_rigid_motions = true;
-    std::vector<std::string>      names;
-    NamedSections<NamedCondition> conditions;
+    bool hold_rigid_motions = true;
 
     /** Numbers of conditions by where they act. */
     using ByBoundary =

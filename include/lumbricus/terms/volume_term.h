@@ -4,13 +4,12 @@
 
 #include <lumbricus/core/dimension.h>
 #include <lumbricus/core/load_time.h>
+#include <lumbricus/geometry/part_of_body.h>
 #include <lumbricus/parameters/expression.h>
-#include <lumbricus/parameters/parameter_owner.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
-#include <string>
 #include <vector>
 
 namespace lumbricus
@@ -43,20 +42,16 @@ namespace lumbricus
 
   /** A term of the residual in tissues, -int b . du dV: a force on all of their
    * points. */
-  class VolumeTerm : public ParameterOwner
+  class VolumeTerm : public PartOfBody
   {
   public:
-    /**
-     * Read the expressions. @param name the full name of the section, for
-     * messages. Throws ExcInput.
-     */
-    virtual void
-    initialize(const std::string &name) = 0;
-
     /** All expressions, tried at the start over the time of the run and looked
      * at between load steps. */
     virtual std::vector<Expression>
-    expressions() const = 0;
+    expressions() const
+    {
+      return {};
+    }
 
     /** Set the force and its derivative in @p response, which is zero before,
      * at @p point. */

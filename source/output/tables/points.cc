@@ -115,7 +115,7 @@ namespace lumbricus
           nearest_point(point, space.triangulation, space.mapping);
         constexpr double   farthest = 0.1;
         std::ostringstream message;
-        message << "Parameter 'Output/Points': the point " << point_text(point)
+        message << ": the point " << point_text(point)
                 << " is not in the body. The nearest point of the mesh at rest "
                    "is "
                 << point_text(nearest.position) << ", " << nearest.distance
@@ -123,7 +123,7 @@ namespace lumbricus
                 << " of the cell there. Give a point of the body; with a "
                    "quarter cross-section, y and z are not negative.";
         AssertThrow(nearest.distance <= farthest * nearest.cell_size,
-                    ExcInput(message.str()));
+                    ExcInput(about_parameter("Output/Points", message.str())));
         // No more than rounding, as of a number with seven digits.
         if (nearest.distance > 1e-6 * nearest.cell_size)
           text << "The point " << point_text(point)
@@ -213,9 +213,11 @@ namespace lumbricus
         for (unsigned int d = 0; d < dim && is_point; ++d)
           is_point = read_number(words[d], point[d]);
         AssertThrow(is_point,
-                    ExcInput("Parameter 'Output/Points': '" + shortened(text) +
-                             "' is not a point. Give three numbers a point, "
-                             "as in '0, 0, 2; 1, 0, 2'."));
+                    ExcInput(about_parameter(
+                      "Output/Points",
+                      ": '" + shortened(text) +
+                        "' is not a point. Give three numbers a point, as in "
+                        "'0, 0, 2; 1, 0, 2'.")));
         all.push_back(point);
       }
     return all;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef lumbricus_cavities_content_h
-#define lumbricus_cavities_content_h
+#ifndef lumbricus_cavities_cavity_content_h
+#define lumbricus_cavities_cavity_content_h
 
 #include <lumbricus/core/load_time.h>
 #include <lumbricus/parameters/parameter_owner.h>
