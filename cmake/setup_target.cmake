@@ -17,3 +17,11 @@ function(lumbricus_setup_target target)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O1>)
   endif()
 endfunction()
+
+# lumbricus_reuse_headers(<target>): compile with the precompiled headers of the
+# library, which fit nothing that is not compiled for -fPIC too: where deal.II does
+# not say so (Debian 13) programs are compiled for -fPIE.
+function(lumbricus_reuse_headers target)
+  target_compile_options(${target} PRIVATE -fPIC)
+  target_precompile_headers(${target} REUSE_FROM lumbricus_library)
+endfunction()

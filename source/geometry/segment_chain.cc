@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <string>
 
+#include "chain_layout.h"
 #include "coarse_cells.h"
 #include "extrusion.h"
 #include "round_section.h"
@@ -19,73 +19,6 @@ namespace lumbricus
   namespace
   {
     const std::string ranges_name = "Segments with their own measures";
-
-    // Before the number of the segment.
-    const std::string cavity_name = "cavity ";
-
-    // What fills the disk inside the wall.
-    enum class Filling
-    {
-      liquid,
-      septum,
-      cap
-    };
-
-    struct Slab
-    {
-      unsigned int segment;
-      Filling      filling;
-    };
-
-
-
-    // The chain along its axis, built from head to tail.
-    class Layout
-    {
-    public:
-      explicit Layout(const std::vector<double> &radii_at_head)
-        : stations({{0., radii_at_head}})
-      {}
-
-      double
-      end() const
-      {
-        return stations.back().x;
-      }
-
-      // Add @p n slabs, at whose end the rings have the radii @p radii.
-      void
-      append(const double               length,
-             const unsigned int         n,
-             const std::vector<double> &radii,
-             const Slab                &slab)
-      {
-        const AxialStation begin = stations.back();
-        for (unsigned int i = 1; i <= n; ++i)
-          {
-            const double f = double(i) / n;
-            stations.push_back(
-              {begin.x + f * length, mean(begin.radii, radii, f)});
-            slabs.push_back(slab);
-          }
-      }
-
-      // (1-f) a + f b
-      static std::vector<double>
-      mean(const std::vector<double> &a,
-           const std::vector<double> &b,
-           const double               f)
-      {
-        std::vector<double> result(a.size());
-        for (unsigned int i = 0; i < a.size(); ++i)
-          result[i] = a[i] == b[i] ? a[i] : (1 - f) * a[i] + f * b[i];
-        return result;
-      }
-
-      std::vector<AxialStation>    stations;
-      std::vector<Slab>            slabs;
-      std::vector<SegmentSections> sections;
-    };
   } // namespace
 
 
@@ -133,10 +66,10 @@ namespace lumbricus
     tissues() const override;
 
     std::vector<std::string>
-    boundary_names() const override;
-
-    std::string
-    inside_of_body(const std::string &name) const override;
+    boundary_names() const override
+    {
+      return {"head", "tail", "skin"};
+    }
 
     std::vector<CavityWall>
     cavities() const override;
@@ -144,7 +77,7 @@ namespace lumbricus
     std::vector<SymmetryPlane>
     symmetry_planes() const override
     {
-      return section.symmetry_planes(boundary_names().size());
+      return section.symmetry_planes(n_boundaries);
     }
 
     std::string
@@ -168,7 +101,8 @@ namespace lumbricus
   private:
     inline static const std::string path = "Geometry/segment chain";
 
-    // The boundary ids; those of the cavities and the symmetry planes follow.
+    // The boundary ids; those of the symmetry planes follow, and then those of
+    // the cavities.
     enum Boundary : unsigned int
     {
       head,
@@ -193,7 +127,7 @@ namespace lumbricus
     std::vector<SegmentMeasures>
     measures() const;
 
-    Layout
+    ChainLayout
     layout() const;
 
     RoundSection    section;
@@ -328,7 +262,7 @@ namespace lumbricus
 
 
 
-  Layout
+  ChainLayout
   SegmentChain::layout() const
   {
     const auto segments = measures();
@@ -337,34 +271,37 @@ namespace lumbricus
                                       segments[s].layer_thicknesses);
     };
 
-    Layout layout(radii(0));
-    layout.append(cap_thickness, n_cap, radii(0), {0, Filling::cap});
+    ChainLayout layout(radii(0));
+    layout.append(cap_thickness, n_cap, radii(0), {0, ChainSlab::Filling::cap});
     double begin = layout.end();
     for (unsigned int s = 0; s < n; ++s)
       {
         layout.append(segments[s].length,
                       n_along,
                       radii(s),
-                      {s, Filling::liquid});
+                      {s, ChainSlab::Filling::liquid});
         const double middle = (layout.stations.rbegin() + n_along / 2)->x;
         if (s + 1 < n)
           {
             const double half = segments[s].septum_thickness / 2;
             layout.append(half,
                           n_half_septum,
-                          Layout::mean(radii(s), radii(s + 1), 0.5),
-                          {s, Filling::septum});
+                          ChainLayout::mean(radii(s), radii(s + 1), 0.5),
+                          {s, ChainSlab::Filling::septum});
             layout.sections.push_back({begin, middle, layout.end()});
             begin = layout.end();
             layout.append(half,
                           n_half_septum,
                           radii(s + 1),
-                          {s + 1, Filling::septum});
+                          {s + 1, ChainSlab::Filling::septum});
           }
         else
           {
             layout.sections.push_back({begin, middle, layout.end()});
-            layout.append(cap_thickness, n_cap, radii(s), {s, Filling::cap});
+            layout.append(cap_thickness,
+                          n_cap,
+                          radii(s),
+                          {s, ChainSlab::Filling::cap});
           }
       }
     return layout;
@@ -376,33 +313,34 @@ namespace lumbricus
   SegmentChain::create_coarse_mesh(
     dealii::Triangulation<dim> &triangulation) const
   {
-    const Layout       plan     = layout();
+    const ChainLayout  plan     = layout();
     const unsigned int n_layers = section.n_layers();
 
     // In the order of tissues().
     const auto region = [&](const unsigned int slab, const unsigned int ring) {
-      const Slab        &where  = plan.slabs[slab];
+      const ChainSlab   &where  = plan.slabs[slab];
       const unsigned int septum = n_layers + 1;
       const unsigned int cap    = n > 1 ? septum + 1 : septum;
-      const unsigned int place  = where.filling == Filling::cap    ? cap :
-                                  ring > 0                         ? ring :
-                                  where.filling == Filling::septum ? septum :
-                                                                     0;
+      const unsigned int place =
+        where.filling == ChainSlab::Filling::cap    ? cap :
+        ring > 0                                    ? ring :
+        where.filling == ChainSlab::Filling::septum ? septum :
+                                                      0;
       if (place == 0 && has_cavities())
         return std::optional<Region>();
       return std::make_optional(
         Region{where.segment, has_cavities() ? place - 1 : place});
     };
 
-    const unsigned int n_names = boundary_names().size();
-    const auto         boundary =
+    const auto walls = cavities();
+    const auto boundary =
       [&](const BodySurface surface,
          const unsigned int /*ring*/,
          const unsigned int slab) -> dealii::types::boundary_id {
       switch (surface)
         {
           case BodySurface::chamber:
-            return n_boundaries + plan.slabs[slab].segment;
+            return walls[plan.slabs[slab].segment].boundary;
           case BodySurface::head:
             return head;
           case BodySurface::tail:
@@ -410,7 +348,7 @@ namespace lumbricus
           case BodySurface::outer:
             return skin;
           default:
-            return RoundSection::symmetry_boundary(surface, n_names);
+            return RoundSection::symmetry_boundary(surface, n_boundaries);
         }
     };
 
@@ -438,34 +376,14 @@ namespace lumbricus
 
 
 
-  std::vector<std::string>
-  SegmentChain::boundary_names() const
-  {
-    std::vector<std::string> names = {"head", "tail", "skin"};
-    for (const CavityWall &cavity : cavities())
-      names.push_back(cavity_name + std::to_string(cavity.segment + 1));
-    return names;
-  }
-
-
-
-  std::string
-  SegmentChain::inside_of_body(const std::string &name) const
-  {
-    return name.rfind(cavity_name, 0) == 0 ?
-             "is around a chamber, whose pressure is an unknown" :
-             "";
-  }
-
-
-
   std::vector<CavityWall>
   SegmentChain::cavities() const
   {
+    const unsigned int first = n_boundaries + symmetry_planes().size();
     std::vector<CavityWall> all;
     if (has_cavities())
       for (unsigned int s = 0; s < n; ++s)
-        all.push_back({n_boundaries + s, s});
+        all.push_back({first + s, s});
     return all;
   }
 
@@ -474,7 +392,7 @@ namespace lumbricus
   std::array<dealii::Point<dim>, 3>
   SegmentChain::support_points() const
   {
-    const Layout plan = layout();
+    const ChainLayout plan = layout();
     return {{dealii::Point<dim>(0., 0., 0.),
              dealii::Point<dim>(plan.end(), 0., 0.),
              dealii::Point<dim>(0., 0., plan.stations[0].radii.back())}};

@@ -112,7 +112,19 @@ namespace lumbricus
     BorderedVector   r(b);
     vmult(r, x);
     r.sadd(-1., 1., b);
-    return r.l2_norm() <= about * tolerance * b.l2_norm();
+
+    // The loads may be small, and what they are balanced by large.
+    const std::vector<double> g = globals_of(x);
+    std::vector<double>       squares;
+    for (const BorderVector &column : border.columns)
+      squares.push_back(column.square());
+    dealii::Utilities::MPI::sum(squares,
+                                b.block(0).get_mpi_communicator(),
+                                squares);
+    double level = b.l2_norm();
+    for (unsigned int k = 0; k < g.size(); ++k)
+      level = std::max(level, std::abs(g[k]) * std::sqrt(squares[k]));
+    return r.l2_norm() <= about * tolerance * level;
   }
 
 

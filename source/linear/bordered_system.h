@@ -40,9 +40,9 @@ namespace lumbricus
     void
     vmult(BorderedVector &y, const BorderedVector &x) const;
 
-    /** Whether the residual of @p x is about @p tolerance times @p b, or less.
-     * Where the tangent alone is singular rounding may let a method end with
-     * another one. Collective. */
+    /** Whether the residual of @p x is about @p tolerance times @p b or a term of
+     * B g, or less. Where the tangent alone is singular rounding may let a method
+     * end with another one. Collective. */
     bool
     is_solved(const BorderedVector &x,
               const BorderedVector &b,

@@ -24,7 +24,7 @@ namespace lumbricus
     , surface_terms(body, parameters.boundary_conditions)
     , volume_terms(body, parameters.body_forces)
     , assembler(body, surface_terms, volume_terms, references, supports)
-    , cavities(body, assembler.tangent().unknowns, parameters.cavity_content)
+    , cavities(body, assembler.tangent().unknowns, parameters.cavity_contents)
     , equilibrium(body,
                   assembler,
                   supports,

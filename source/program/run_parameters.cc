@@ -6,10 +6,7 @@
 namespace lumbricus
 {
   RunParameters::RunParameters()
-    : cavity_content("Cavities",
-                     "Content",
-                     "liquid",
-                     "What is in the chambers that have no cells inside.")
+    : cavity_contents(anatomy)
     , continuation("Path",
                    "Control",
                    "time",
@@ -27,7 +24,7 @@ namespace lumbricus
              &interface_coupling,
              &boundary_conditions,
              &body_forces,
-             &cavity_content,
+             &cavity_contents,
              &symmetry_check,
              &load_stepping,
              &load_curves,

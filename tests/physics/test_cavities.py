@@ -6,7 +6,7 @@ import csv
 import pathlib
 
 import pytest
-from lumbricus_run import go_on, run_well
+from lumbricus_run import SOURCE, go_on, run_well
 
 HERE = pathlib.Path(__file__).parent
 CHAIN = HERE / "chain.prm"
@@ -104,6 +104,20 @@ def test_hanging_nodes_and_a_new_mesh(tmp_path, ranks):
         assert row["fluid_volume"] == pytest.approx(
             rows[int(row["segment"]) - 1]["fluid_volume"], rel=1e-3)
     assert adaptive.last()["t"] == pytest.approx(0.3)
+
+
+def test_main_job(tmp_path):
+    """Ten chambers, the first two steps of both files."""
+    runs = [run_well(SOURCE / "parameters" / "peristalsis" / f"{name}.prm",
+                     tmp_path / name, ["Time/End=0.1", "Output/Every=0"], 2)
+            for name in ("cavities", "case")]
+    equal(runs[0], runs[1], 5e-5, PARTS[:-1])
+    equal(runs[0], runs[1], 5e-3)
+    volumes_are_kept(runs[0])
+    # 5 a step, where the rubber fluid takes 12 to 16.
+    assert all(row["newton_iterations"] <= 6 for row in runs[0].steps())
+    cells = [run.table("mesh.csv")[0]["cells"] for run in runs]
+    assert cells == [480, 640]
 
 
 def test_gas_gives_way(tmp_path, cavities):

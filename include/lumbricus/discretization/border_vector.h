@@ -37,6 +37,16 @@ namespace lumbricus
       return sum;
     }
 
+    /** The part of its square that the owned entries make. */
+    double
+    square() const
+    {
+      double sum = 0.;
+      for (const double value : values)
+        sum += value * value;
+      return sum;
+    }
+
     /** x += factor times this. */
     void
     add_to(Vector &x, const double factor) const

@@ -139,7 +139,9 @@ namespace lumbricus
     virtual std::vector<SymmetryPlane>
     symmetry_planes() const = 0;
 
-    /** The chambers without cells inside, in the order of their segments. */
+    /** The chambers without cells inside, in the order of their segments. Their
+     * ids follow those of the planes of symmetry, so that no load can act on
+     * them. */
     virtual std::vector<CavityWall>
     cavities() const
     {

@@ -53,8 +53,9 @@ namespace lumbricus
 
     /**
      * The same with @p border around the tangent, for the right-hand sides b
-     * and c, to a residual of all rows together. Throws ExcNotConverged also
-     * where the border does not determine its unknowns.
+     * and c, to a residual of all rows together that is small beside these or
+     * beside a term of B g. Throws ExcNotConverged also where the border does
+     * not determine its unknowns.
      */
     virtual void
     solve(Vector                    &x,

@@ -144,6 +144,7 @@ namespace lumbricus
       prepare = preparation;
     }
 
+    /** The entry. */
     void
     declare_parameters(dealii::ParameterHandler &prm) override
     {
@@ -158,6 +159,7 @@ namespace lumbricus
                           choices + (name.empty() ? "|" : "")));
     }
 
+    /** The parameters of what was chosen, or of all there are. */
     bool
     extend_parameters(dealii::ParameterHandler &prm,
                       const Extent              extent) override
@@ -182,6 +184,7 @@ namespace lumbricus
       return extended;
     }
 
+    /** That something was chosen, and its parameters. */
     void
     check_parameters() const override
     {

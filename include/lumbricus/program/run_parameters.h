@@ -5,7 +5,7 @@
 #include <lumbricus/adaptivity/adaptivity.h>
 #include <lumbricus/adaptivity/mesh_refinement.h>
 #include <lumbricus/anatomy/anatomy.h>
-#include <lumbricus/cavities/cavity_content.h>
+#include <lumbricus/cavities/cavity_contents.h>
 #include <lumbricus/checkpoint/checkpoint_schedule.h>
 #include <lumbricus/constraints/interface_coupling.h>
 #include <lumbricus/continuation/continuation.h>
@@ -86,8 +86,7 @@ namespace lumbricus
     InterfaceCoupling  interface_coupling;  ///< section Interface
     BoundaryConditions boundary_conditions; ///< section Boundary conditions
     BodyForces         body_forces;         ///< section Body forces
-    /** Section Cavities. */
-    Section<Choice<CavityContent>> cavity_content;
+    CavityContents     cavity_contents;     ///< section Cavities
     SymmetryCheck      symmetry_check;      ///< section Boundary conditions
     LoadStepping       load_stepping;       ///< section Time
     LoadCurves         load_curves;         ///< section Time
