@@ -110,7 +110,8 @@ MISTAKES = [
      ["'Adaptivity/Estimator'", "'displacement jump'", "'stress jump'"]),
     # Chambers without cells.
     ("content of chambers that have cells", CHAIN, ["Cavities/Content=gas"],
-     ["'Cavities"]),
+     ["'Cavities/Content' is 'gas'", "no chamber without cells",
+      "'Geometry/segment chain/Liquid'"]),
     ("load in a chamber", CHAIN,
      ["Geometry/segment chain/Liquid=cavity",
       "Boundary conditions/Names=push", "Boundary conditions/push/Type=spring",

@@ -4,53 +4,44 @@
 
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/cavities/cavity_content.h>
+#include <lumbricus/core/exceptions.h>
 #include <lumbricus/parameters/registry.h>
 #include <lumbricus/parameters/section.h>
 
 namespace lumbricus
 {
-  /** What is in the chambers without cells: the section Cavities, which is there
-   * where the body has any. */
+  /** What is in the chambers without cells: the section Cavities. */
   class CavityContents : public Section<Choice<CavityContent>>
   {
   public:
-    /** Of the body @p anatomy, whose parameters are read before these. It is
-     * kept by reference. */
+    /** Of the body @p anatomy, which is kept by reference. */
     explicit CavityContents(const Anatomy &anatomy)
       : Section("Cavities",
                 "Content",
-                "liquid",
+                default_content,
                 "What is in the chambers that have no cells inside.")
       , anatomy(anatomy)
     {}
 
-    void
-    declare_parameters(dealii::ParameterHandler & /*prm*/) override
-    {}
-
-    bool
-    extend_parameters(dealii::ParameterHandler &prm,
-                      const Extent              extent) override
-    {
-      if (is_declared)
-        return Section::extend_parameters(prm, extent);
-      is_declared = extent == Extent::everything ||
-                    !anatomy.geometry().cavities().empty();
-      if (is_declared)
-        Section::declare_parameters(prm);
-      return is_declared;
-    }
-
+    /** Also that there are such chambers, where anything else was chosen for them
+     * than what they have anyway. */
     void
     check_parameters() const override
     {
-      if (is_declared)
-        Section::check_parameters();
+      Section::check_parameters();
+      AssertThrow(chosen_name() == default_content ||
+                    !anatomy.geometry().cavities().empty(),
+                  ExcParameter(section_name() + "/Content",
+                               "is '" + chosen_name() +
+                                 "', but the body has no chamber without "
+                                 "cells. Let a segment chain have them: "
+                                 "'Geometry/segment chain/Liquid' = 'cavity'."));
     }
 
   private:
+    static constexpr const char *default_content = "liquid";
+
     const Anatomy &anatomy;
-    bool           is_declared = false;
   };
 } // namespace lumbricus
 
