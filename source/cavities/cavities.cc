@@ -2,6 +2,7 @@
 #include <lumbricus/cavities/cavities.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/discretization/area_derivative.h>
+#include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/measures/cavity_measures.h>
 
 #include <deal.II/base/mpi.h>
@@ -18,18 +19,6 @@ namespace lumbricus
   {
     // Of the sum of its area vectors, relative to its area.
     constexpr double closed = 1e-10;
-
-    using Displacements = double[dim][ShapeCache::padded_nodes];
-
-
-
-    void
-    read_displacements(const double *of_cell, Displacements &u)
-    {
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-          u[c][n] = of_cell[CellUnknowns::displacement(c, n)];
-    }
   } // namespace
 
 
@@ -63,7 +52,7 @@ namespace lumbricus
     // the volume of the solid.
     constexpr unsigned int n_sums = 2 + dim;
     std::vector<double>    sums(n_sums * walls.size() + 1);
-    const Displacements    at_rest = {};
+    const double at_rest[dim][ShapeCache::padded_nodes] = {};
     for (unsigned int i = 0; i < body.shapes.n_owned_cells(); ++i)
       for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
         sums.back() += body.shapes.cell(i).JxW[q];
@@ -142,7 +131,7 @@ namespace lumbricus
     double              of_cell[n_per_cell], forces[n_per_cell];
     double              missing[n_per_cell], change[n_per_cell];
     std::vector<double> matrix(n_per_cell * n_per_cell);
-    Displacements       displacements = {};
+    ElementKernel       kernel;
     Vector              of_missing;
     unknowns.reinit_vector(of_missing);
     for (unsigned int k = 0; k < n; ++k)
@@ -151,14 +140,14 @@ namespace lumbricus
         for (const Face &face : walls[k].faces)
           {
             unknowns.read(face.cell, u, of_cell);
-            read_displacements(of_cell, displacements);
+            kernel.set(of_cell);
             surface.reinit(face.iterator, face.number);
             std::fill(forces, forces + n_per_cell, 0.);
             if (tangent != nullptr)
               std::fill(matrix.begin(), matrix.end(), 0.);
             for (unsigned int q = 0; q < surface.n_points(); ++q)
               {
-                surface.set(q, displacements);
+                surface.set(q, kernel.u);
                 const auto   dA = area_out_of_cavity(surface);
                 const double V  = volume_in_cavity(surface);
                 sums[k] += V;
@@ -193,9 +182,13 @@ namespace lumbricus
               }
           }
         a.compress(dealii::VectorOperation::add);
-        border.columns.emplace_back(a);
-        border.columns.back().scale(-1.);
-        border.columns.back().add_to(r, P[k]);
+        for (unsigned int i = 0; i < r.locally_owned_size(); ++i)
+          r.local_element(i) -= P[k] * a.local_element(i);
+        if (tangent != nullptr)
+          {
+            border.columns.emplace_back(a);
+            border.columns.back().scale(-1.);
+          }
       }
     if (tangent != nullptr)
       {
@@ -223,9 +216,6 @@ namespace lumbricus
         border.rows.back().scale(-equation.ds_dV);
         border.corner(k, k) = equation.ds_dP;
       }
-    if (tangent == nullptr)
-      border.columns.clear();
     return border;
   }
-
 } // namespace lumbricus

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/cavity_faces.h>
+#include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/measures/cavity_measures.h>
 
 #include <deal.II/base/mpi.h>
@@ -107,6 +108,7 @@ namespace lumbricus
     const auto        sections  = geometry.sections();
     const double      tolerance = 1e-9 * geometry.characteristic_length();
     SurfaceKernel     surface(space);
+    ElementKernel     kernel;
     const double      at_rest[dim][ShapeCache::padded_nodes] = {};
     std::vector<dealii::types::global_dof_index> indices(
       space.fe.n_dofs_per_cell());
@@ -117,16 +119,14 @@ namespace lumbricus
       // Each edge has a face on either side.
       if (cell.iterator->face(face)->center()[0] > middle)
         return;
-      cell.iterator->get_dof_indices(indices);
+      kernel.read(space, cell.iterator, relevant_solution, indices);
       Nodes                     nodes;
       std::vector<unsigned int> on_face;
       for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
         {
           nodes.X[n] = body.shapes.node(cell.index, n);
           for (unsigned int c = 0; c < dim; ++c)
-            nodes.x[n][c] =
-              nodes.X[n][c] +
-              relevant_solution(indices[space.displacement_dof[c][n]]);
+            nodes.x[n][c] = nodes.X[n][c] + kernel.u[c][n];
           if (space.fe.has_support_on_face(space.displacement_dof[0][n], face))
             on_face.push_back(n);
         }
@@ -157,20 +157,17 @@ namespace lumbricus
       return volumes;
     const MixedSpace &space   = body.space;
     SurfaceKernel     surface(space);
-    double            u[dim][ShapeCache::padded_nodes] = {};
+    ElementKernel     kernel;
     std::vector<dealii::types::global_dof_index> indices(
       space.fe.n_dofs_per_cell());
     cavities.for_each(body, [&](const OwnedCell   &cell,
                                 const unsigned int face,
                                 const unsigned int k) {
-      cell.iterator->get_dof_indices(indices);
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-          u[c][n] = relevant_solution(indices[space.displacement_dof[c][n]]);
+      kernel.read(space, cell.iterator, relevant_solution, indices);
       surface.reinit(cell.iterator, face);
       for (unsigned int q = 0; q < surface.n_points(); ++q)
         {
-          surface.set(q, u);
+          surface.set(q, kernel.u);
           volumes[k] += volume_in_cavity(surface);
         }
     });

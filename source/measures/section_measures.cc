@@ -77,7 +77,8 @@ namespace lumbricus
     // Where there is no liquid that has cells, its edge says as much.
     std::vector<Sums> sums(sections.size());
     std::vector<bool> has_cavity(sections.size(), false);
-    for (const CavityWall &cavity : geometry.cavities())
+    const auto cavities = geometry.cavities();
+    for (const CavityWall &cavity : cavities)
       has_cavity[cavity.segment] = true;
     for (const OwnedCell cell : body.owned_cells())
       {
@@ -132,7 +133,7 @@ namespace lumbricus
     sum_over_ranks(sums, space.communicator());
     const auto of_cavities = cavity_sections(body, relevant_solution);
     for (unsigned int k = 0; k < of_cavities.size(); ++k)
-      sums[geometry.cavities()[k].segment].middle = of_cavities[k];
+      sums[cavities[k].segment].middle = of_cavities[k];
 
     // The mirror images cancel what is normal to a plane of symmetry.
     std::vector<SectionMeasures> measures;

@@ -96,13 +96,7 @@ end
     Vector
     free_part(const unsigned int seed) const
     {
-      const Vector v = random(1., seed);
-      Vector   result;
-      result.reinit(model->assembler.right_hand_side());
-      const auto &constrained = tangent().unknowns.is_constrained();
-      for (unsigned int i = 0; i < constrained.size(); ++i)
-        result.local_element(i) = constrained[i] ? 0. : v.begin()[i];
-      return result;
+      return Specimen::free_part(random(1., seed));
     }
 
     const Tangent &

@@ -81,18 +81,6 @@ end
       state.solution.add(1., random(0.002, 1));
     }
 
-    Vector
-    free_part(const Vector &v) const
-    {
-      Vector result;
-      result.reinit(model->assembler.right_hand_side());
-      const auto &constrained =
-        model->assembler.tangent().unknowns.is_constrained();
-      for (unsigned int i = 0; i < constrained.size(); ++i)
-        result.local_element(i) = constrained[i] ? 0. : v.begin()[i];
-      return result;
-    }
-
     // The residual r, and that of the pressures.
     std::vector<double>
     residual(const Vector &solution, const std::vector<double> &P, Vector &r)

@@ -58,6 +58,19 @@ end
       return v;
     }
 
+    /** A vector as linear solvers have it, without the constrained unknowns. */
+    Vector
+    free_part(const Vector &v) const
+    {
+      Vector result;
+      result.reinit(model->assembler.right_hand_side());
+      const auto &constrained =
+        model->assembler.tangent().unknowns.is_constrained();
+      for (unsigned int i = 0; i < constrained.size(); ++i)
+        result.local_element(i) = constrained[i] ? 0. : v.begin()[i];
+      return result;
+    }
+
     const MPI_Comm              comm = MPI_COMM_WORLD;
     RunParameters               parameters;
     dealii::TimerOutput         timer;

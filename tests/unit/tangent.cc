@@ -129,18 +129,6 @@ end
     }
 
     Vector
-    free_part(const Vector &v) const
-    {
-      Vector result;
-      result.reinit(model->assembler.right_hand_side());
-      const auto &constrained =
-        model->assembler.tangent().unknowns.is_constrained();
-      for (unsigned int i = 0; i < constrained.size(); ++i)
-        result.local_element(i) = constrained[i] ? 0. : v.begin()[i];
-      return result;
-    }
-
-    Vector
     residual(const Vector &at)
     {
       Vector r(model->space.locally_owned, comm);

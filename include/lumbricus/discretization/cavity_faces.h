@@ -44,17 +44,6 @@ namespace lumbricus
       return id < of_boundary.size() ? of_boundary[id] : none;
     }
 
-    /** Whether any face of @p cell is at one. */
-    bool
-    touch(const OwnedCell &cell) const
-    {
-      if (n_cavities > 0 && cell.iterator->at_boundary())
-        for (const unsigned int f : cell.iterator->face_indices())
-          if (at(cell, f) != none)
-            return true;
-      return false;
-    }
-
     /** Call @p function(cell, face, cavity) for all faces of the owned cells of
      * @p body that are at one. */
     template <typename Function>
