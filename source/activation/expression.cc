@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/activation/activation.h>
-#include <lumbricus/geometry/geometry.h>
-#include <lumbricus/parameters/expression.h>
+#include <lumbricus/geometry/segment_expression.h>
 #include <lumbricus/parameters/registry.h>
-
-#include <vector>
 
 namespace lumbricus
 {
@@ -26,12 +23,7 @@ namespace lumbricus
     initialize(const std::string & /*section*/,
                const Geometry &geometry) override
     {
-      // s and n are constants to a parser, so each segment has its own.
-      const unsigned int n = geometry.n_segments();
-      lambda.clear();
-      lambda.reserve(n);
-      for (unsigned int s = 1; s <= n; ++s)
-        lambda.push_back(formula.with({{"s", double(s)}, {"n", double(n)}}));
+      formula.initialize(geometry);
     }
 
     double
@@ -39,14 +31,11 @@ namespace lumbricus
           const unsigned int        segment,
           const dealii::Point<dim> &X) const override
     {
-      Assert(1 <= segment && segment <= lambda.size(),
-             dealii::ExcIndexRange(segment, 1, lambda.size() + 1));
-      return lambda[segment - 1].value(X, t);
+      return formula.of(segment - 1).value(X, t);
     }
 
   private:
-    Expression              formula = {"Formula", "1", {{"s", 1.}, {"n", 1.}}};
-    std::vector<Expression> lambda;
+    SegmentExpression formula = {"Formula", "1"};
   };
 
 

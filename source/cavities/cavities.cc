@@ -23,12 +23,16 @@ namespace lumbricus
 
 
 
-  Cavities::Cavities(const Body                  &body,
-                     const CellUnknowns          &unknowns,
-                     const Choice<CavityContent> &content)
+  const std::string cavity_filling = "cavity_filling";
+
+
+
+  Cavities::Cavities(const Body           &body,
+                     const CellUnknowns   &unknowns,
+                     const CavityContents &contents)
     : body(body)
     , unknowns(unknowns)
-    , content(content)
+    , contents(contents)
     , faces(body.anatomy.geometry())
     , surface(body.space)
   {}
@@ -39,11 +43,14 @@ namespace lumbricus
   Cavities::reinit()
   {
     walls.clear();
+    chambers.clear();
     const Geometry &geometry = body.anatomy.geometry();
     for (const CavityWall &wall : geometry.cavities())
       {
         walls.emplace_back();
         walls.back().segment = wall.segment;
+        chambers.push_back(
+          {wall.segment, contents.content(wall.segment).keeps_amount()});
       }
     if (!any())
       return;
@@ -98,51 +105,87 @@ namespace lumbricus
 
 
 
+  void
+  Cavities::set_to(const State &state)
+  {
+    last_time = state.last_time;
+  }
+
+
+
+  void
+  Cavities::end_step(State &state) const
+  {
+    if (!any())
+      return;
+    const auto M = amounts(state.globals, state.time).M;
+    const auto V = cavity_volumes(body, body.space.with_ghosts(state.solution));
+    std::vector<double> &filling = state.globals.at(cavity_filling);
+    for (unsigned int k = 0; k < walls.size(); ++k)
+      filling[k] =
+        (chambers[k].keeps_amount ? M[k] : V[k]) / walls[k].volume_at_rest;
+  }
+
+
+
   Globals
   Cavities::globals_at_rest() const
   {
     if (!any())
       return {};
-    return {{cavity_pressure, std::vector<double>(walls.size(), 0.)}};
+    return {{cavity_pressure, std::vector<double>(walls.size(), 0.)},
+            {cavity_filling, std::vector<double>(walls.size(), 1.)}};
   }
 
 
 
-  Border
-  Cavities::border(const Vector   &solution,
-                   const Globals  &globals,
-                   const LoadTime &t,
-                   Tangent        *tangent,
-                   Vector         &r)
+  CavityExchange::Amounts
+  Cavities::amounts(const Globals &globals, const LoadTime &t) const
   {
-    constexpr unsigned int     n_per_cell = CellUnknowns::n_per_cell;
-    const std::vector<double> &P          = globals.at(cavity_pressure);
-    const unsigned int         n          = walls.size();
-    AssertDimension(P.size(), n);
+    std::vector<double> before;
+    for (unsigned int k = 0; k < walls.size(); ++k)
+      before.push_back(globals.at(cavity_filling)[k] *
+                       walls[k].volume_at_rest);
+    return contents.exchange().amounts(chambers,
+                                       before,
+                                       globals.at(cavity_pressure),
+                                       t,
+                                       t.to() - last_time);
+  }
 
-    Vector u, a;
+
+
+  Cavities::Shape
+  Cavities::shape(const Vector              &solution,
+                  const std::vector<double> &P,
+                  Tangent                   *tangent,
+                  Vector                    &r)
+  {
+    constexpr unsigned int n_per_cell = CellUnknowns::n_per_cell;
+    const unsigned int     n          = walls.size();
+    Vector                 u, a, pull;
     unknowns.reinit_vector(u);
     unknowns.reinit_vector(a);
+    unknowns.reinit_vector(pull);
     u.copy_locally_owned_data_from(solution);
     u.update_ghost_values();
 
-    Border              border;
+    Shape               shape;
     std::vector<double> sums(3 * n); // volumes, their rounding, what is missing
-    double              of_cell[n_per_cell], forces[n_per_cell];
-    double              missing[n_per_cell], change[n_per_cell];
+    double              of_cell[n_per_cell], area[n_per_cell];
+    double              force[n_per_cell], missing[n_per_cell];
     std::vector<double> matrix(n_per_cell * n_per_cell);
     ElementKernel       kernel;
-    Vector              of_missing;
-    unknowns.reinit_vector(of_missing);
     for (unsigned int k = 0; k < n; ++k)
       {
-        a = 0.;
+        if (tangent != nullptr)
+          a = 0.;
         for (const Face &face : walls[k].faces)
           {
             unknowns.read(face.cell, u, of_cell);
             kernel.set(of_cell);
             surface.reinit(face.iterator, face.number);
-            std::fill(forces, forces + n_per_cell, 0.);
+            std::fill(area, area + n_per_cell, 0.);
             if (tangent != nullptr)
               std::fill(matrix.begin(), matrix.end(), 0.);
             for (unsigned int q = 0; q < surface.n_points(); ++q)
@@ -154,67 +197,100 @@ namespace lumbricus
                 sums[n + k] += std::abs(V);
                 for (unsigned int c = 0; c < dim; ++c)
                   for (unsigned int m = 0; m < MixedSpace::n_nodes; ++m)
-                    forces[CellUnknowns::displacement(c, m)] +=
+                    area[CellUnknowns::displacement(c, m)] +=
                       surface.values[m] * dA[c];
                 // -P da/du, where a points against N.
                 if (tangent != nullptr)
                   add_area_derivative(surface, P[k], matrix);
               }
-            unknowns.add(face.cell, forces, a);
-            if (tangent == nullptr)
-              continue;
-
-            std::vector<double> &all = tangent->surface_matrix(face.cell);
-            for (unsigned int i = 0; i < matrix.size(); ++i)
-              all[i] += matrix[i];
-            // What is prescribed and still missing pulls here too.
-            if (unknowns.read_inhomogeneity(face.cell, missing))
+            for (unsigned int i = 0; i < n_per_cell; ++i)
+              force[i] = -P[k] * area[i];
+            if (tangent != nullptr)
               {
-                for (unsigned int i = 0; i < n_per_cell; ++i)
-                  {
-                    change[i] = std::inner_product(missing,
-                                                   missing + n_per_cell,
-                                                   &matrix[i * n_per_cell],
-                                                   0.);
-                    sums[2 * n + k] += forces[i] * missing[i];
-                  }
-                unknowns.add(face.cell, change, of_missing);
+                unknowns.add(face.cell, area, a);
+                std::vector<double> &all = tangent->surface_matrix(face.cell);
+                for (unsigned int i = 0; i < matrix.size(); ++i)
+                  all[i] += matrix[i];
+                // What is prescribed and still missing pulls here too.
+                if (unknowns.read_inhomogeneity(face.cell, missing))
+                  for (unsigned int i = 0; i < n_per_cell; ++i)
+                    {
+                      force[i] += std::inner_product(missing,
+                                                     missing + n_per_cell,
+                                                     &matrix[i * n_per_cell],
+                                                     0.);
+                      sums[2 * n + k] += area[i] * missing[i];
+                    }
               }
+            unknowns.add(face.cell, force, pull);
           }
-        a.compress(dealii::VectorOperation::add);
-        for (unsigned int i = 0; i < r.locally_owned_size(); ++i)
-          r.local_element(i) -= P[k] * a.local_element(i);
         if (tangent != nullptr)
           {
-            border.columns.emplace_back(a);
-            border.columns.back().scale(-1.);
+            a.compress(dealii::VectorOperation::add);
+            shape.areas.emplace_back(a);
           }
       }
-    if (tangent != nullptr)
-      {
-        of_missing.compress(dealii::VectorOperation::add);
-        for (unsigned int i = 0; i < r.locally_owned_size(); ++i)
-          r.local_element(i) += of_missing.local_element(i);
-      }
+    pull.compress(dealii::VectorOperation::add);
+    for (unsigned int i = 0; i < r.locally_owned_size(); ++i)
+      r.local_element(i) += pull.local_element(i);
     dealii::Utilities::MPI::sum(sums, body.space.communicator(), sums);
+    const auto part = [&](const unsigned int i) {
+      return std::vector<double>(sums.begin() + i * n,
+                                 sums.begin() + (i + 1) * n);
+    };
+    shape.volumes  = part(0);
+    shape.rounding = part(1);
+    shape.missing  = part(2);
+    return shape;
+  }
 
+
+
+  Border
+  Cavities::border(const Vector   &solution,
+                   const Globals  &globals,
+                   const LoadTime &t,
+                   Tangent        *tangent,
+                   Vector         &r)
+  {
+    const std::vector<double> &P = globals.at(cavity_pressure);
+    const unsigned int         n = walls.size();
+    AssertDimension(P.size(), n);
+    const Shape  now       = shape(solution, P, tangent, r);
+    const auto   inside    = amounts(globals, t);
+    const double stiffness = body.anatomy.wall_stiffness();
+
+    Border border;
     border.names = {{cavity_pressure, n}};
     if (tangent != nullptr)
       border.corner.reinit(n, n);
     for (unsigned int k = 0; k < n; ++k)
       {
-        const CavityEquation equation = content->equation(
-          {walls[k].segment, sums[k], walls[k].volume_at_rest, P[k], t});
-        border.residual.push_back(equation.s + equation.ds_dV * sums[2 * n + k]);
+        const Wall          &wall = walls[k];
+        const CavityEquation equation =
+          contents.content(wall.segment)
+            .equation({wall.segment,
+                       now.volumes[k],
+                       wall.volume_at_rest,
+                       inside.M[k],
+                       P[k],
+                       stiffness,
+                       t});
+        border.residual.push_back(equation.s +
+                                  equation.ds_dV * now.missing[k]);
         border.scale.push_back(equation.scale * body_volume /
-                               walls[k].volume_at_rest);
+                               wall.volume_at_rest);
         border.rounding.push_back(std::numeric_limits<double>::epsilon() *
-                                  std::abs(equation.ds_dV) * sums[n + k]);
+                                  std::abs(equation.ds_dV) * now.rounding[k]);
         if (tangent == nullptr)
           continue;
-        border.rows.push_back(border.columns[k]);
-        border.rows.back().scale(-equation.ds_dV);
-        border.corner(k, k) = equation.ds_dP;
+        border.columns.push_back(now.areas[k]);
+        border.columns.back().scale(-1.);
+        border.rows.push_back(now.areas[k]);
+        border.rows.back().scale(equation.ds_dV);
+        for (unsigned int j = 0; j < n; ++j)
+          border.corner(k, j) = equation.ds_dM * inside.dM_dP(k, j);
+        border.corner(k, k) += equation.ds_dP;
       }
     return border;
   }

@@ -5,13 +5,15 @@
 #include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace lumbricus
 {
-  /** Vhat = V_0 (P_rest / (P + P_outside))^(1/gamma), absolute pressures. */
+  /** V = M (P_rest / (P + P_outside))^(1/gamma), absolute pressures. */
   class GasContent : public CavityContent
   {
   public:
@@ -23,11 +25,11 @@ namespace lumbricus
                         "[N/mm^2] That of the gas while the body is at rest. "
                         "The atmosphere has 0.101325.",
                         PositiveNumber());
-      prm.add_parameter("Absolute pressure outside",
-                        outside,
-                        "[N/mm^2] That around the body, above which the "
-                        "pressure of the cavity is counted.",
-                        dealii::Patterns::Double(0.));
+      outside.declare_parameter(
+        prm,
+        "[N/mm^2] That around the body, above which the pressure of the cavity "
+        "is counted: a formula of the time t, the number s of the segment and "
+        "the number n of segments; at least 0, which is vacuum.");
       prm.add_parameter("Exponent",
                         gamma,
                         "[-] 1 for a gas that keeps its temperature, 1.4 for "
@@ -35,23 +37,67 @@ namespace lumbricus
                         dealii::Patterns::Double(1.));
     }
 
+    void
+    initialize(const std::string & /*section*/,
+               const Geometry &geometry) override
+    {
+      outside.initialize(geometry);
+    }
+
     CavityEquation
     equation(const CavityPoint &point) const override
     {
-      // p V^gamma = p_0 V_0^gamma in the form that has a solution for every
+      // p V^gamma = p_0 M^gamma in the form that has a solution for every
       // iterate of Newton's method: for P, which may be anything on the way.
-      const double V_0 = point.volume_at_rest;
-      const double gas = at_rest * std::pow(V_0 / point.volume, gamma);
-      return {point.pressure - (gas - outside),
+      const double gas =
+        at_rest * std::pow(point.amount / point.volume, gamma);
+      return {point.pressure -
+                (gas - outside.value(point.segment, point.t, at_rest)),
               gamma * gas / point.volume,
               1.,
+              -gamma * gas / point.amount,
               at_rest};
     }
 
+    bool
+    keeps_amount() const override
+    {
+      return true;
+    }
+
+    std::string
+    cannot_flow() const override
+    {
+      return gamma == 1. ?
+               "" :
+               "keeps its heat, and what flows would carry heat away. Set its "
+               "'Exponent' to 1";
+    }
+
+    std::vector<const SegmentExpression *>
+    expressions() const override
+    {
+      return {&outside};
+    }
+
+    void
+    check_at(const unsigned int segment, const double t) const override
+    {
+      const double p = outside.value(segment, t);
+      AssertThrow(p >= 0.,
+                  ExcParameter(outside.parameter(),
+                               "is " + dealii::Utilities::to_string(p) +
+                                 " N/mm^2 for segment " +
+                                 std::to_string(segment + 1) + " at time " +
+                                 dealii::Utilities::to_string(t) +
+                                 ", but no absolute pressure is below that of "
+                                 "vacuum, 0. The atmosphere has 0.101325."));
+    }
+
   private:
-    double at_rest = 0.101325;
-    double outside = 0.101325;
-    double gamma   = 1.;
+    double            at_rest = 0.101325;
+    SegmentExpression outside = {"Absolute pressure outside", "0.101325"};
+    double            gamma   = 1.;
   };
 
   static const Register<CavityContent, GasContent>

@@ -6,7 +6,7 @@
 
 namespace lumbricus
 {
-  /** Vhat = V_0 (1 - P/kappa). */
+  /** V = M (1 - P/kappa). */
   class LiquidContent : public CavityContent
   {
   public:
@@ -24,11 +24,18 @@ namespace lumbricus
     CavityEquation
     equation(const CavityPoint &point) const override
     {
-      const double V_0 = point.volume_at_rest;
-      return {V_0 * (1. - compressibility * point.pressure) - point.volume,
+      const double part = 1. - compressibility * point.pressure;
+      return {point.amount * part - point.volume,
               -1.,
-              -V_0 * compressibility,
-              V_0};
+              -point.amount * compressibility,
+              part,
+              point.volume_at_rest};
+    }
+
+    bool
+    keeps_amount() const override
+    {
+      return true;
     }
 
   private:

@@ -87,7 +87,6 @@ namespace lumbricus
   SurfaceTerms::end_step(State &state) const
   {
     const double dt = state.time - state.last_time;
-    state.last_time = state.time;
     if (histories().empty())
       return;
 

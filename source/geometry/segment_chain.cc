@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/geometry/segment_ranges.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/parameters/registry.h>
 
@@ -12,7 +13,6 @@
 #include "extrusion.h"
 #include "round_section.h"
 #include "segment_measures.h"
-#include "segment_ranges.h"
 
 namespace lumbricus
 {

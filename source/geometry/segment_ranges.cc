@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "segment_ranges.h"
-
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/geometry/segment_ranges.h>
 
 #include <deal.II/base/utilities.h>
 

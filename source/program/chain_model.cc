@@ -113,6 +113,7 @@ namespace lumbricus
   {
     references.update(state, t);
     surface_terms.set_to(state);
+    cavities.set_to(state);
     equilibrium.set_time(t, state.solution);
     equilibrium.start_from(state.solution);
   }
@@ -141,6 +142,7 @@ namespace lumbricus
   {
     references.update(state, t);
     surface_terms.set_to(state);
+    cavities.set_to(state);
     parameters.try_loads(triangulation, {t.to()});
     equilibrium.set_time(t, guess);
     const Vector start = state.solution;
@@ -179,6 +181,8 @@ namespace lumbricus
   ChainModel::end_step(State &state) const
   {
     surface_terms.end_step(state);
+    cavities.end_step(state);
+    state.last_time = state.time;
   }
 
 

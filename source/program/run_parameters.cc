@@ -97,6 +97,7 @@ namespace lumbricus
     adaptivity.initialize(anatomy, mesh_refinement.n_global_refinements());
     boundary_conditions.initialize(anatomy.geometry());
     body_forces.initialize(anatomy.geometry());
+    cavity_contents.initialize();
     output_parts.initialize(anatomy);
     continuation.get()->initialize(*this);
   }
@@ -133,6 +134,7 @@ namespace lumbricus
   {
     boundary_conditions.try_expressions(triangulation, times);
     body_forces.try_expressions(triangulation, times);
+    cavity_contents.try_expressions(times);
   }
 
 
@@ -146,6 +148,8 @@ namespace lumbricus
          boundary_conditions.load_curves(triangulation))
       curves.push_back(curve);
     for (const LoadCurve &curve : body_forces.load_curves(triangulation))
+      curves.push_back(curve);
+    for (const LoadCurve &curve : cavity_contents.load_curves())
       curves.push_back(curve);
     load_curves.follow(curves,
                        load_stepping.end_time(),

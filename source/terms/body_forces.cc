@@ -3,12 +3,11 @@
 #include <lumbricus/core/user_text.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/terms/body_forces.h>
+#include <lumbricus/terms/tried_expressions.h>
 
 #include <algorithm>
 #include <string>
 #include <vector>
-
-#include "tried_expressions.h"
 
 namespace lumbricus
 {

@@ -3,13 +3,12 @@
 #include <lumbricus/core/user_text.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/terms/boundary_conditions.h>
+#include <lumbricus/terms/tried_expressions.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
-
-#include "tried_expressions.h"
 
 namespace lumbricus
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "tried_expressions.h"
-
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/terms/tried_expressions.h>
 
 #include <cmath>
 #include <sstream>

@@ -13,8 +13,12 @@ from mistakes import ManyRuns
 
 HERE = pathlib.Path(__file__).resolve().parent
 BLOCK = HERE / "block.prm"
+SPHERE = HERE.parent / "physics" / "sphere.prm"
 SHORT = ["Time/End=0.01", "Time/First step=0.01", "Adaptivity/Every=1",
          "Body forces/Names=weight", "Body forces/weight/Type=dead body force"]
+CAVITY = [*SHORT[:2], "Cavities/Segments with their own content=1",
+          "Geometry/hollow sphere/Cells around a quarter=2",
+          "Geometry/hollow sphere/Cells through the wall=1"]
 UNUSED = "Not used, because of --set: "
 
 runs = ManyRuns()
@@ -22,10 +26,12 @@ runs = ManyRuns()
 
 @pytest.fixture(scope="module")
 def resolved(tmp_path_factory):
-    """parameters.prm of a run, in a folder of its own."""
+    """parameters.prm of two runs, in folders of their own: without a cavity and
+    with one."""
     folder = tmp_path_factory.mktemp("resolved")
-    run_well(BLOCK, folder / "out", SHORT)
-    return folder / "out" / "parameters.prm"
+    run_well(BLOCK, folder / "block", SHORT)
+    run_well(SPHERE, folder / "sphere", CAVITY)
+    return [folder / name / "parameters.prm" for name in ("block", "sphere")]
 
 
 def choices():
@@ -62,7 +68,8 @@ def in_block(parameter):
     """The parameter with the names that the block has."""
     return parameter.replace("<tissue>", "flesh").replace(
         "<muscle>", "biceps").replace("<load or support>", "push").replace(
-            "<body force>", "weight")
+            "<body force>", "weight").replace(
+                "Cavities/Segments 8-10", "Cavities/Segment 1")
 
 
 def test_all_choices_are_found():
@@ -80,6 +87,7 @@ NEEDS = {
     "Geometry/Shape=mesh file": ("'Geometry/mesh file/File'",),
     "Geometry/Shape=segment chain": LIQUID,
     "Geometry/Shape=open cylinder": LIQUID,
+    "Geometry/Shape=hollow sphere": LIQUID,
     "Muscles/biceps/Fibres=file": ("'Muscles/biceps/file/File'",),
 }
 
@@ -90,6 +98,7 @@ def test_any_choice_changes_over_a_resolved_file(parameter, name, resolved,
     """The run goes on, or says what the new choice lacks; its parameters.prm is
     an input that gives the same run."""
     setting = f"{in_block(parameter)}={name}"
+    resolved = resolved[parameter.startswith("Cavities/")]
     result = runs.run(resolved, tmp_path / "out", [setting])
     if result.exit_code == 1:
         assert "not used" not in result.message, result.message
@@ -138,7 +147,7 @@ def test_a_restart_may_change_a_choice(tmp_path):
 def test_a_section_that_no_choice_takes_stays_a_mistake(resolved, tmp_path):
     """In a file by hand it is a typing error, whatever the settings say."""
     case = tmp_path / "case.prm"
-    case.write_text(f"include {resolved}\n"
+    case.write_text(f"include {resolved[0]}\n"
                     "subsection Linear solver\n  subsection multigrid\n"
                     "  end\nend\n")
     for settings in ([], ["Time/End=2"], ["Linear solver/Method=kept factor"]):

@@ -68,6 +68,40 @@ end
 
 
 
+  const std::string contents_and_flows = R"(
+subsection Cavities
+  set Segments with their own content = 2
+  set Pores  = 0.4
+  set Leak   = 0.7*s
+  set Inflow = 0.1*t
+  subsection Segment 2
+    set Content = pressure
+    subsection pressure
+      set Pressure = 0.01*t
+    end
+  end
+end
+)";
+
+  const std::string gas_flows = R"(
+subsection Cavities
+  set Content = gas
+  set Pores   = 3
+  set Leak    = 2
+end
+)";
+
+  const std::string pump = R"(
+subsection Cavities
+  set Content = volume
+  subsection volume
+    set Relative volume = 1 + 0.3*s*t
+  end
+end
+)";
+
+
+
   // Two chambers of unequal pressures in a state that is no equilibrium.
   class Chambers : public Specimen
   {
@@ -77,6 +111,7 @@ end
     {
       state.globals = model->equilibrium.globals_at_rest();
       state.globals.at(cavity_pressure) = {0.03, -0.02};
+      state.globals.at(cavity_filling)  = {1.1, 0.9};
       model->set_to(state);
       state.solution.add(1., random(0.002, 1));
     }
@@ -87,7 +122,11 @@ end
     {
       EXPECT_TRUE(model->assembler.residual(solution, 1., r).valid());
       return model->cavities
-        .border(solution, {{cavity_pressure, P}}, 1., nullptr, r)
+        .border(solution,
+                {{cavity_pressure, P}, {cavity_filling, {1.1, 0.9}}},
+                1.,
+                nullptr,
+                r)
         .residual;
     }
   };
@@ -144,7 +183,8 @@ TEST(Cavities, HaveTheVolumesOfTheirShapes)
 TEST(Cavities, BorderIsTheDerivativeOfTheResidual)
 {
   for (const std::string section : {"quarter", "full"})
-    for (const std::string &content : {std::string(), gas, compressible})
+    for (const std::string &content :
+         {std::string(), gas, compressible, contents_and_flows, gas_flows, pump})
       {
         Chambers                  body(section, content);
         const std::vector<double> P = body.state.globals.at(cavity_pressure);

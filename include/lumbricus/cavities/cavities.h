@@ -2,29 +2,38 @@
 #ifndef lumbricus_cavities_cavities_h
 #define lumbricus_cavities_cavities_h
 
-#include <lumbricus/cavities/cavity_content.h>
+#include <lumbricus/cavities/cavity_contents.h>
 #include <lumbricus/discretization/body.h>
 #include <lumbricus/discretization/border.h>
 #include <lumbricus/discretization/cavity_faces.h>
 #include <lumbricus/discretization/surface_kernel.h>
-#include <lumbricus/parameters/registry.h>
 
 #include <deal.II/dofs/dof_handler.h>
 
+#include <string>
 #include <vector>
 
 namespace lumbricus
 {
+  /** What State::globals calls how much is in the chambers without cells, in the
+   * order of Geometry::cavities(): M/V_0, see CavityPoint. */
+  extern const std::string cavity_filling;
+
+
+
   /**
    * The chambers without cells inside, each with one pressure P_k as a global
    * unknown. Where S_k is the wall around it and n the normal out of the
    * chamber,
    *
    *   V_k  = 1/3 int_Sk x . n da,       a_k = dV_k/du = int_Sk N n da,
-   *   r_u -= P_k a_k,                   s_k = -(V_k - Vhat_k(P_k, t)) = 0,
-   *   K   -= P_k da_k/du,               B_k = C_k^T = -a_k,  D = dVhat/dP,
+   *   r_u -= P_k a_k,                   s_k(V_k, P_k, M_k, t) = 0,
+   *   K   -= P_k da_k/du,               B_k = -a_k,   C_k = ds_k/dV_k a_k^T,
+   *   D_kj = ds_k/dP_k delta_kj + ds_k/dM_k dM_k/dP_j,
    *
-   * with what the content of the chamber takes, Vhat_k (CavityContent). On faces
+   * with the equation s_k of what is inside (CavityContent), and how much there is,
+   * M_k, which changes with the pressures where something flows
+   * (CavityExchange). On faces
    * whose nodes are those of polynomials of degree 2 in each direction V_k is
    * integrated exactly by 3 x 3 points, and a_k is its exact derivative, since S_k
    * is closed but for planes of symmetry through the origin, at which x . n = 0
@@ -36,9 +45,9 @@ namespace lumbricus
   {
   public:
     /** Of the geometry of @p body. All of these are kept by reference. */
-    Cavities(const Body                  &body,
-             const CellUnknowns          &unknowns,
-             const Choice<CavityContent> &content);
+    Cavities(const Body           &body,
+             const CellUnknowns   &unknowns,
+             const CavityContents &contents);
 
     /** After every change of the mesh. Throws ExcInput where the wall around a
      * cavity is not closed. Collective. */
@@ -52,6 +61,16 @@ namespace lumbricus
       return !walls.empty();
     }
 
+    /** From now on a load step from @p state is under way. */
+    void
+    set_to(const State &state);
+
+    /** The load step that ended with @p state is complete: let it have what has
+     * flowed. Before State::last_time is changed. Collective. */
+    void
+    end_step(State &state) const;
+
+    /** The pressures; and how much there is inside. */
     Globals
     globals_at_rest() const override;
 
@@ -79,15 +98,41 @@ namespace lumbricus
       std::vector<Face> faces;               // of this rank
     };
 
-    const Body                   body;
-    const CellUnknowns          &unknowns;
-    const Choice<CavityContent> &content;
-    CavityFaces                  faces;
-    SurfaceKernel                surface;
+    /** What the walls are at a solution, of all ranks. */
+    struct Shape
+    {
+      std::vector<double> volumes;
+      std::vector<double> rounding; ///< what makes it: the sum of all |V|
+      /** By how much what is prescribed and missing changes them. */
+      std::vector<double> missing;
+      /** a_k; where there is a tangent. */
+      std::vector<BorderVector> areas;
+    };
+
+    /** All that hangs on the shape of the walls; as for border(). */
+    Shape
+    shape(const Vector              &solution,
+          const std::vector<double> &P,
+          Tangent                   *tangent,
+          Vector                    &r);
+
+    /** How much is inside at @p globals. */
+    CavityExchange::Amounts
+    amounts(const Globals &globals, const LoadTime &t) const;
+
+    const Body            body;
+    const CellUnknowns   &unknowns;
+    const CavityContents &contents;
+    CavityFaces           faces;
+    SurfaceKernel         surface;
 
     std::vector<Wall> walls;
+    /** As CavityExchange knows them. */
+    std::vector<CavityExchange::Cavity> chambers;
     /** The sum of all volumes at rest and of the wall, the scale of errors. */
     double body_volume = 0.;
+    /** When the last load step ended. */
+    double last_time = 0.;
   };
 } // namespace lumbricus
 

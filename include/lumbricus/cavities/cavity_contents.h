@@ -4,44 +4,105 @@
 
 #include <lumbricus/anatomy/anatomy.h>
 #include <lumbricus/cavities/cavity_content.h>
-#include <lumbricus/core/exceptions.h>
+#include <lumbricus/cavities/cavity_exchange.h>
+#include <lumbricus/core/load_curve.h>
+#include <lumbricus/geometry/segment_ranges.h>
+#include <lumbricus/parameters/named_sections.h>
 #include <lumbricus/parameters/registry.h>
-#include <lumbricus/parameters/section.h>
+
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace lumbricus
 {
-  /** What is in the chambers without cells: the section Cavities. */
-  class CavityContents : public Section<Choice<CavityContent>>
+  /** What is in the chambers without cells, and what flows between them: the
+   * section Cavities. */
+  class CavityContents : public ParameterOwner
   {
   public:
     /** Of the body @p anatomy, which is kept by reference. */
-    explicit CavityContents(const Anatomy &anatomy)
-      : Section("Cavities",
-                "Content",
-                default_content,
-                "What is in the chambers that have no cells inside.")
-      , anatomy(anatomy)
-    {}
+    explicit CavityContents(const Anatomy &anatomy);
 
-    /** Also that there are such chambers, where anything else was chosen for them
-     * than what they have anyway. */
     void
-    check_parameters() const override
+    declare_parameters(dealii::ParameterHandler &prm) override;
+
+    bool
+    extend_parameters(dealii::ParameterHandler &prm,
+                      const Extent              extent) override;
+
+    /** Also that there are such chambers, where anything else was chosen for
+     * them than what they have anyway. */
+    void
+    check_parameters() const override;
+
+    /** When all has been read. Throws ExcInput. */
+    void
+    initialize();
+
+    /** Try all expressions at @p times, and that a pore has a cavity on either
+     * side, and contents that can flow. Throws ExcInput. */
+    void
+    try_expressions(const std::vector<double> &times) const;
+
+    /** All expressions over time. */
+    std::vector<LoadCurve>
+    load_curves() const;
+
+    /** What is in the cavity of segment @p segment, from zero. */
+    const CavityContent &
+    content(const unsigned int segment) const;
+
+    /** What flows. */
+    const CavityExchange &
+    exchange() const
     {
-      Section::check_parameters();
-      AssertThrow(chosen_name() == default_content ||
-                    !anatomy.geometry().cavities().empty(),
-                  ExcParameter(section_name() + "/Content",
-                               "is '" + chosen_name() +
-                                 "', but the body has no chamber without "
-                                 "cells. Let a segment chain have them: "
-                                 "'Geometry/segment chain/Liquid' = 'cavity'."));
+      return flows;
     }
 
   private:
-    static constexpr const char *default_content = "liquid";
+    /** Of some segments; made with the name of the section. */
+    struct Own : public Choice<CavityContent>
+    {
+      explicit Own(const std::string & /*name*/)
+        : Own()
+      {}
 
-    const Anatomy &anatomy;
+      Own();
+    };
+
+    std::vector<SegmentRange>
+    ranges() const;
+
+    /** The choice for a segment, from zero, and the section it is in. */
+    struct Chosen
+    {
+      const Own  *choice;
+      std::string section;
+    };
+
+    Chosen
+    chosen(const unsigned int segment) const;
+
+    /** Throws ExcParameter where something flows at time @p t that cannot. */
+    void
+    check_flows(const double t) const;
+
+    /** Call @p function(expression, section, segment) for all that is there. */
+    void
+    for_each_expression(
+      const std::function<void(const SegmentExpression &,
+                               const std::string &,
+                               const unsigned int)> &function) const;
+
+    const Anatomy     &anatomy;
+    Own                common;
+    std::string        range_list;
+    NamedSections<Own> own;
+    CavityExchange     flows;
+
+    /** By segment; nullptr where it has no cavity. */
+    std::vector<const CavityContent *> of_segment;
   };
 } // namespace lumbricus
 

@@ -59,7 +59,8 @@ namespace lumbricus
     double last_time = 0.;
     /** Displacement u [mm] and pressure variable p [N/mm^2], owned entries. */
     Vector solution;
-    /** The global unknowns, of every Border there is. */
+    /** The global unknowns of every Border there is, and numbers that its
+     * sources remember. */
     Globals globals;
     /** Vector fields that have a value at each node of each cell, by name: see
      * NodalHistory. */

@@ -45,7 +45,7 @@ namespace lumbricus
     histories() const;
 
     /** The load step that ended with @p state is complete: let the skin remember
-     * what it has to, and the time. Collective. */
+     * what it has to. Before State::last_time is changed. Collective. */
     void
     end_step(State &state) const;
 

@@ -14,14 +14,15 @@ namespace lumbricus
     Vector  solution; ///< as State::solution
     Globals globals;  ///< as State::globals; empty where there are none
 
-    /** Add @p part times @p increment, which has the same global unknowns. */
+    /** Add @p part times @p increment, which has the unknowns among the globals:
+     * others are remembered. */
     void
     add(const double part, const Unknowns &increment)
     {
       solution.add(part, increment.solution);
-      for (auto &[name, values] : globals)
-        for (std::size_t k = 0; k < values.size(); ++k)
-          values[k] += part * increment.globals.at(name)[k];
+      for (const auto &[name, changes] : increment.globals)
+        for (std::size_t k = 0; k < changes.size(); ++k)
+          globals.at(name)[k] += part * changes[k];
     }
   };
 } // namespace lumbricus
