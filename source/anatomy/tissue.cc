@@ -30,6 +30,11 @@ namespace lumbricus
   Tissue::declare_parameters(dealii::ParameterHandler &prm)
   {
     law_choice.declare_parameters(prm);
+    prm.add_parameter("Density",
+                      mass_density,
+                      "[t/mm^3] Mass per volume at rest, for a body force that "
+                      "is a weight. Water has 1e-9.",
+                      dealii::Patterns::Double(0.));
     prm.add_parameter("Muscles",
                       names_of_muscles,
                       "The muscles whose fibres run in this tissue, each a "

@@ -29,10 +29,12 @@ namespace lumbricus
 
   Cavities::Cavities(const Body           &body,
                      const CellUnknowns   &unknowns,
-                     const CavityContents &contents)
+                     const CavityContents &contents,
+                     const LiquidWeight   &weight)
     : body(body)
     , unknowns(unknowns)
     , contents(contents)
+    , weight(weight)
     , faces(body.anatomy.geometry())
     , surface(body.space)
   {}
@@ -142,13 +144,20 @@ namespace lumbricus
   CavityExchange::Amounts
   Cavities::amounts(const Globals &globals, const LoadTime &t) const
   {
-    std::vector<double> before;
+    std::vector<double> before, excess;
     for (unsigned int k = 0; k < walls.size(); ++k)
-      before.push_back(globals.at(cavity_filling)[k] *
-                       walls[k].volume_at_rest);
+      {
+        before.push_back(globals.at(cavity_filling)[k] *
+                         walls[k].volume_at_rest);
+        excess.push_back(
+          weight.any() ?
+            weight.excess(walls[k].segment, dealii::Point<dim>()) :
+            0.);
+      }
     return contents.exchange().amounts(chambers,
                                        before,
                                        globals.at(cavity_pressure),
+                                       excess,
                                        t,
                                        t.to() - last_time);
   }

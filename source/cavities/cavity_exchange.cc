@@ -101,6 +101,7 @@ namespace lumbricus
   CavityExchange::amounts(const std::vector<Cavity> &cavities,
                           const std::vector<double> &before,
                           const std::vector<double> &P,
+                          const std::vector<double> &excess,
                           const LoadTime            &t,
                           const double               dt) const
   {
@@ -111,17 +112,18 @@ namespace lumbricus
     if (!any() || dt <= 0.)
       return amounts;
 
-    // The volume dt (g (P[from] - P[to]) + q) out of one into another; `n` for
-    // outside.
+    // The volume dt (g (P[from] - P[to] + e) + q) out of one into another, where n
+    // is outside.
     const auto flow = [&](const unsigned int from,
                           const unsigned int to,
                           const double       g,
+                          const double       e,
                           const double       q) {
       const auto   pressure = [&](const unsigned int k) {
         return k < n ? P[k] : 0.;
       };
       const double volume =
-        dt * (g * (pressure(from) - pressure(to)) + q);
+        dt * (g * (pressure(from) - pressure(to) + e) + q);
       const auto change = [&](const unsigned int k, const double sign) {
         if (k == n || !cavities[k].keeps_amount)
           return;
@@ -138,9 +140,13 @@ namespace lumbricus
       {
         const unsigned int s = cavities[k].segment;
         if (k + 1 < n && cavities[k + 1].segment == s + 1)
-          flow(k, k + 1, part * pores.value(s, t), 0.);
-        flow(k, n, part * leak.value(s, t), 0.);
-        flow(n, k, 0., part * inflow.value(s, t));
+          flow(k,
+               k + 1,
+               part * pores.value(s, t),
+               excess[k] - excess[k + 1],
+               0.);
+        flow(k, n, part * leak.value(s, t), 0., 0.);
+        flow(n, k, 0., 0., part * inflow.value(s, t));
       }
     return amounts;
   }

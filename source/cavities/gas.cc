@@ -59,6 +59,12 @@ namespace lumbricus
               at_rest};
     }
 
+    double
+    density() const override
+    {
+      return 0.;
+    }
+
     bool
     keeps_amount() const override
     {

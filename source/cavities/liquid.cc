@@ -19,6 +19,11 @@ namespace lumbricus
                         "liquid shrinks under a unit of pressure; 0 for an "
                         "incompressible one. Water has 4.5e-4.",
                         dealii::Patterns::Double(0.));
+      prm.add_parameter("Density",
+                        mass_density,
+                        "[t/mm^3] Mass per volume at rest, for a body force "
+                        "that is a weight; water has 1e-9.",
+                        dealii::Patterns::Double(0.));
     }
 
     CavityEquation
@@ -32,6 +37,12 @@ namespace lumbricus
               point.volume_at_rest};
     }
 
+    double
+    density() const override
+    {
+      return mass_density;
+    }
+
     bool
     keeps_amount() const override
     {
@@ -40,6 +51,7 @@ namespace lumbricus
 
   private:
     double compressibility = 0.;
+    double mass_density    = 1.05e-9;
   };
 
   static const Register<CavityContent, LiquidContent>

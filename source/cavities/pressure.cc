@@ -2,6 +2,8 @@
 #include <lumbricus/cavities/cavity_content.h>
 #include <lumbricus/parameters/registry.h>
 
+#include <deal.II/base/patterns.h>
+
 #include <string>
 #include <vector>
 
@@ -19,6 +21,11 @@ namespace lumbricus
         "[N/mm^2] The pressure above that outside: a formula of the time t, "
         "the number s of the segment (from 1 at the head) and the number n of "
         "segments.");
+      prm.add_parameter("Density",
+                        mass_density,
+                        "[t/mm^3] Mass per volume of what is inside, for a body "
+                        "force that is a weight; next to 0 for a gas.",
+                        dealii::Patterns::Double(0.));
     }
 
     void
@@ -38,6 +45,12 @@ namespace lumbricus
               point.stiffness};
     }
 
+    double
+    density() const override
+    {
+      return mass_density;
+    }
+
     bool
     keeps_amount() const override
     {
@@ -51,6 +64,7 @@ namespace lumbricus
     }
 
   private:
+    double            mass_density = 0.;
     SegmentExpression given = {"Pressure", "0"};
   };
 

@@ -3,6 +3,7 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/parameters/registry.h>
 
+#include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
 #include <string>
@@ -22,6 +23,11 @@ namespace lumbricus
         "[-] The volume relative to that at rest: a formula of the time t, the "
         "number s of the segment (from 1 at the head) and the number n of "
         "segments; more than 0.");
+      prm.add_parameter("Density",
+                        mass_density,
+                        "[t/mm^3] Mass per volume of what is inside, for a body "
+                        "force that is a weight; next to 0 for a gas.",
+                        dealii::Patterns::Double(0.));
     }
 
     void
@@ -40,6 +46,12 @@ namespace lumbricus
               0.,
               0.,
               point.volume_at_rest};
+    }
+
+    double
+    density() const override
+    {
+      return mass_density;
     }
 
     bool
@@ -68,6 +80,7 @@ namespace lumbricus
     }
 
   private:
+    double            mass_density = 0.;
     SegmentExpression part = {"Relative volume", "1"};
   };
 

@@ -56,11 +56,13 @@ namespace lumbricus
   Assembler::Assembler(const Body           &body,
                        SurfaceTerms         &terms,
                        const VolumeTerms    &volume_terms,
+                       LiquidWeight         &liquid_weight,
                        const ReferenceField &references,
                        const Supports       &supports)
     : body(body)
     , terms(terms)
     , volume_terms(volume_terms)
+    , liquid_weight(liquid_weight)
     , references(references)
     , supports(supports)
     , unknowns(body.space)
@@ -187,6 +189,8 @@ namespace lumbricus
           add_surface_terms(cell, t, with_tangent, values);
         if (volume_terms.act_in(cell))
           add_volume_terms(cell, t, with_tangent, values);
+        if (liquid_weight.acts_on(cell))
+          add_liquid_weight(cell, with_tangent, values);
 
         if (with_tangent)
           {
@@ -277,6 +281,43 @@ namespace lumbricus
             return response.db_du[c][k] * point.values[m];
           },
           linearisation.surface_matrix(cell.index));
+      });
+  }
+
+
+
+  void
+  Assembler::add_liquid_weight(const OwnedCell &cell,
+                               const bool       with_tangent,
+                               double          *residual)
+  {
+    liquid_weight.visit(
+      cell,
+      kernel->u,
+      [&](const unsigned int /*force*/,
+          const dealii::Tensor<1, dim> &gravity,
+          const double                  q,
+          const double                  sign) {
+        const SurfaceKernel &point = liquid_weight.point();
+        const auto           a = sign * (cofactor(point.F) * point.N);
+        subtract_force(point.JxW, point.values, q * a, residual);
+        if (!with_tangent)
+          return;
+        // Both parts are symmetric over the closed surface, and taken so face by
+        // face.
+        auto &matrix = linearisation.surface_matrix(cell.index);
+        add_area_derivative(point, -sign * q, matrix);
+        for (const bool transposed : {false, true})
+          subtract_derivative(
+            0.5 * point.JxW,
+            point.values,
+            [&](const unsigned int c,
+                const unsigned int k,
+                const unsigned int m) {
+              return point.values[m] *
+                     (transposed ? a[k] * gravity[c] : a[c] * gravity[k]);
+            },
+            matrix);
       });
   }
 

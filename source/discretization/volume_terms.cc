@@ -45,6 +45,7 @@ namespace lumbricus
             VolumePoint at;
             at.X = body.shapes.quadrature_point(cell.index, q);
             at.t = t;
+            at.density = cell.tissue.density();
             Point point;
             point.JxW    = shape.JxW[q];
             point.values = body.shapes.node_values() + MixedSpace::n_nodes * q;

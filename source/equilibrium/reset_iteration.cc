@@ -101,6 +101,10 @@ namespace lumbricus
                                                model.references,
                                                relevant,
                                                state.globals);
+        const auto excess     = model.weight.mean_excess(relevant);
+        for (unsigned int s = 0; s < n_segments; ++s)
+          solve.segments[s].pressure +=
+            excess[s] * solve.segments[s].liquid_volume;
         solve.measures        = section_measures(body, relevant);
         solve.qualities       = mesh_qualities(body, &relevant);
         for (const SegmentState &segment : solve.segments)

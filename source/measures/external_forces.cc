@@ -116,6 +116,7 @@ namespace lumbricus
                   SurfaceTerms             &terms,
                   const BodyForces         &body_forces,
                   const VolumeTerms        &volume_terms,
+                  LiquidWeight             &liquid_weight,
                   const ReferenceField     &references,
                   const Supports           &supports,
                   const Vector             &solution,
@@ -156,7 +157,9 @@ namespace lumbricus
                    links.is_constrained(index);
           });
         const bool is_pulled = volume_terms.act_in(cell);
-        if (!supported && !is_pulled && !cell.iterator->at_boundary())
+        const bool is_pressed = liquid_weight.acts_on(cell);
+        if (!supported && !is_pulled && !is_pressed &&
+            !cell.iterator->at_boundary())
           continue;
 
         kernel.read(space, cell.iterator, relevant, indices);
@@ -208,6 +211,21 @@ namespace lumbricus
                      surface.values);
               }
           }
+        if (is_pressed)
+          liquid_weight.visit(cell,
+                              kernel.u,
+                              [&](const unsigned int force,
+                                  const dealii::Tensor<1, dim> & /*gravity*/,
+                                  const double q,
+                                  const double sign) {
+                                const SurfaceKernel &point =
+                                  liquid_weight.point();
+                                pull(all[first_body_force + force],
+                                     point.X + point.u,
+                                     sign * q * point.JxW *
+                                       (cofactor(point.F) * point.N),
+                                     point.values);
+                              });
         if (is_pulled)
           volume_terms.visit(cell,
                              kernel.u,

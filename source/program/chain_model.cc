@@ -23,14 +23,32 @@ namespace lumbricus
                parameters.boundary_conditions)
     , surface_terms(body, parameters.boundary_conditions)
     , volume_terms(body, parameters.body_forces)
-    , assembler(body, surface_terms, volume_terms, references, supports)
-    , cavities(body, assembler.tangent().unknowns, parameters.cavity_contents)
+    , liquid_weight(body,
+                    parameters.body_forces,
+                    [&parameters](const unsigned int segment) {
+                      return parameters.density_in_chamber(segment);
+                    })
+    , assembler(body,
+                surface_terms,
+                volume_terms,
+                liquid_weight,
+                references,
+                supports)
+    , cavities(body,
+               assembler.tangent().unknowns,
+               parameters.cavity_contents,
+               liquid_weight)
     , equilibrium(body,
                   assembler,
                   supports,
                   *parameters.linear_solver.get(),
                   timer)
-    , reset_model{equilibrium, parameters.newton, references, body, timer}
+    , reset_model{equilibrium,
+                  parameters.newton,
+                  references,
+                  liquid_weight,
+                  body,
+                  timer}
   {
     triangulation.signals.weight.connect(
       [slips = is_slip_interface()](const ParallelMesh::cell_iterator &cell,
@@ -63,6 +81,7 @@ namespace lumbricus
     check_load_balance(body,
                        parameters.boundary_conditions,
                        parameters.body_forces,
+                       liquid_weight,
                        supports,
                        times);
     parameters.follow_loads(triangulation);
@@ -89,6 +108,7 @@ namespace lumbricus
     shapes.reinit();
     references.reinit();
     supports.reinit();
+    liquid_weight.reinit();
     cavities.reinit();
     if (cavities.any())
       equilibrium.set_borders({&cavities});
@@ -114,6 +134,7 @@ namespace lumbricus
     references.update(state, t);
     surface_terms.set_to(state);
     cavities.set_to(state);
+    liquid_weight.set_time(t);
     equilibrium.set_time(t, state.solution);
     equilibrium.start_from(state.solution);
   }
@@ -143,6 +164,7 @@ namespace lumbricus
     references.update(state, t);
     surface_terms.set_to(state);
     cavities.set_to(state);
+    liquid_weight.set_time(t);
     parameters.try_loads(triangulation, {t.to()});
     equilibrium.set_time(t, guess);
     const Vector start = state.solution;
@@ -163,11 +185,13 @@ namespace lumbricus
   {
     dealii::TimerOutput::Scope scope(timer, "reactions");
     surface_terms.set_to(state);
+    liquid_weight.set_time(state.time);
     return external_forces(body,
                            parameters.boundary_conditions,
                            surface_terms,
                            parameters.body_forces,
                            volume_terms,
+                           liquid_weight,
                            references,
                            supports,
                            state.solution,

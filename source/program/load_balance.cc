@@ -88,6 +88,7 @@ namespace lumbricus
               {
                 VolumePoint point;
                 point.X = body.shapes.quadrature_point(cell.index, q);
+                point.density = cell.tissue.density();
                 points.push_back(
                   {first_number + i,
                    point.X,
@@ -103,6 +104,27 @@ namespace lumbricus
                                            response.depends_on_place());
                    }});
               }
+    }
+
+
+
+    // What the liquids of the whole mesh weigh, at their centres.
+    void
+    add_liquid_weight(const LiquidWeight     &liquid_weight,
+                      const BodyForces       &forces,
+                      const unsigned int      first_number,
+                      std::vector<LoadPoint> &points)
+    {
+      for (const LiquidWeight::Chamber &chamber : liquid_weight.chambers())
+        for (unsigned int i = 0; i < forces.n_forces(); ++i)
+          points.push_back(
+            {first_number + i,
+             chamber.centre,
+             [&liquid_weight, mass = chamber.density * chamber.volume, i](
+               const double t) {
+               return std::make_pair(
+                 Tensor<1, dim>(mass * liquid_weight.gravity(i, t)), false);
+             }});
     }
 
 
@@ -143,6 +165,7 @@ namespace lumbricus
   check_load_balance(const Body                &body,
                      const BoundaryConditions  &conditions,
                      const BodyForces          &forces,
+                     const LiquidWeight        &liquid_weight,
                      const Supports            &supports,
                      const std::vector<double> &all_times)
   {
@@ -154,6 +177,8 @@ namespace lumbricus
     std::vector<LoadPoint>   points;
     add_tractions(body.space, conditions, points);
     add_body_forces(body, forces, n_conditions, points);
+    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+      add_liquid_weight(liquid_weight, forces, n_conditions, points);
     std::vector<std::string> names;
     for (unsigned int i = 0; i < n_conditions; ++i)
       names.push_back(conditions.condition(i).name);

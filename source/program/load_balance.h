@@ -20,6 +20,7 @@ namespace lumbricus
   check_load_balance(const Body                &body,
                      const BoundaryConditions  &conditions,
                      const BodyForces          &forces,
+                     const LiquidWeight        &liquid_weight,
                      const Supports            &supports,
                      const std::vector<double> &times);
 

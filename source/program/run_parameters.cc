@@ -116,6 +116,21 @@ namespace lumbricus
 
 
 
+  double
+  RunParameters::density_in_chamber(const unsigned int segment) const
+  {
+    for (const CavityWall &wall : anatomy.geometry().cavities())
+      if (wall.segment == segment)
+        return cavity_contents.content(segment).density();
+    const auto tissues = anatomy.geometry().tissues();
+    for (unsigned int i = 0; i < tissues.size(); ++i)
+      if (tissues[i].liquid)
+        return anatomy.tissue(i).density();
+    return 0.;
+  }
+
+
+
   void
   RunParameters::try_expressions(
     const dealii::parallel::TriangulationBase<dim> &triangulation) const

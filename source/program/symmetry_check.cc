@@ -407,6 +407,7 @@ namespace lumbricus
             VolumePoint point;
             point.X = X;
             point.t = t;
+            point.density = 1.;
             VolumeResponse response;
             force.type->volume(point, response);
             if (!(std::abs(response.b[d]) > tolerance * response.b.norm()))

@@ -56,6 +56,13 @@ namespace lumbricus
     std::string
     law_section() const;
 
+    /** Mass per volume at rest [t/mm^3]. */
+    double
+    density() const
+    {
+      return mass_density;
+    }
+
     /** Names of sections in Muscles. */
     const std::vector<std::string> &
     muscle_names() const;
@@ -84,6 +91,7 @@ namespace lumbricus
   private:
     const std::string        tissue_name;
     Choice<MaterialLaw>      law_choice;
+    double                   mass_density = 1.05e-9;
     std::vector<std::string> names_of_muscles;
 
     // What was chosen, found once: evaluate() is called at every point.

@@ -6,6 +6,7 @@
 #include <lumbricus/discretization/body.h>
 #include <lumbricus/discretization/border.h>
 #include <lumbricus/discretization/cavity_faces.h>
+#include <lumbricus/discretization/liquid_weight.h>
 #include <lumbricus/discretization/surface_kernel.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -47,7 +48,8 @@ namespace lumbricus
     /** Of the geometry of @p body. All of these are kept by reference. */
     Cavities(const Body           &body,
              const CellUnknowns   &unknowns,
-             const CavityContents &contents);
+             const CavityContents &contents,
+             const LiquidWeight   &weight);
 
     /** After every change of the mesh. Throws ExcInput where the wall around a
      * cavity is not closed. Collective. */
@@ -123,6 +125,7 @@ namespace lumbricus
     const Body            body;
     const CellUnknowns   &unknowns;
     const CavityContents &contents;
+    const LiquidWeight   &weight;
     CavityFaces           faces;
     SurfaceKernel         surface;
 

@@ -48,6 +48,10 @@ namespace lumbricus
     virtual CavityEquation
     equation(const CavityPoint &point) const = 0;
 
+    /** Mass per volume at rest [t/mm^3]. */
+    virtual double
+    density() const = 0;
+
     /** Whether it is a given amount that pores and leaks change; else it is
      * whatever there is to flow, of a volume or a pressure that is given. */
     virtual bool

@@ -16,9 +16,10 @@ namespace lumbricus
    * What flows between neighbouring cavities, out of the body and into it. In a
    * step of the length dt the amounts M of the contents become
    *
-   *   M_k = M_k^n - dt ( sum_j g_kj (P_k - P_j) + g_k P_k - q_k ),
+   *   M_k = M_k^n - dt ( sum_j g_kj (P_k + e_k - P_j - e_j) + g_k P_k - q_k ),
    *
-   * with the conductance g_kj of the pores to the next cavities, g_k of the leak
+   * with e_k, by how much more than P_k the pressure in the liquid of cavity k would
+   * be at the origin by its weight (LiquidWeight::excess()), with the conductance g_kj of the pores to the next cavities, g_k of the leak
    * and the inflow q_k: implicit in time (backward Euler). What leaves one cavity
    * is what comes into the next, to the last bit. The entries are of the whole
    * body; a part of it has that part of them.
@@ -70,13 +71,14 @@ namespace lumbricus
 
     /**
      * The amounts at time @p t, @p dt after they were @p before, at the pressures
-     * @p P of @p cavities, which are in the order of their segments; of those
-     * that are no amounts, what they were.
+     * @p P of @p cavities, which are in the order of their segments, and e =
+     * @p excess; of those that are no amounts, what they were.
      */
     Amounts
     amounts(const std::vector<Cavity> &cavities,
             const std::vector<double> &before,
             const std::vector<double> &P,
+            const std::vector<double> &excess,
             const LoadTime            &t,
             const double               dt) const;
 

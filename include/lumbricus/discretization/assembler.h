@@ -5,6 +5,7 @@
 #include <lumbricus/constraints/supports.h>
 #include <lumbricus/discretization/body.h>
 #include <lumbricus/discretization/element_kernel.h>
+#include <lumbricus/discretization/liquid_weight.h>
 #include <lumbricus/discretization/reference_field.h>
 #include <lumbricus/discretization/rounding_level.h>
 #include <lumbricus/discretization/surface_kernel.h>
@@ -59,6 +60,7 @@ namespace lumbricus
     Assembler(const Body           &body,
               SurfaceTerms         &terms,
               const VolumeTerms    &volume_terms,
+              LiquidWeight         &liquid_weight,
               const ReferenceField &references,
               const Supports       &supports);
 
@@ -124,6 +126,12 @@ namespace lumbricus
                      const bool       with_tangent,
                      double          *residual);
 
+    /** The same with the weight of liquids at the cell. */
+    void
+    add_liquid_weight(const OwnedCell &cell,
+                      const bool       with_tangent,
+                      double          *residual);
+
     /**
      * Where the liquid of @p cell slips, the wall holds it by a normal traction
      * that turns with the surface: add
@@ -139,6 +147,7 @@ namespace lumbricus
     const Body            body;
     SurfaceTerms         &terms;
     const VolumeTerms    &volume_terms;
+    LiquidWeight         &liquid_weight;
     const ReferenceField &references;
     const Supports       &supports;
 

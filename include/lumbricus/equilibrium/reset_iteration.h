@@ -56,6 +56,7 @@ namespace lumbricus
       Equilibrium         &equilibrium; ///< of the body under its loads
       const Newton        &newton;      ///< solves it
       ReferenceField      &references;  ///< what a reset changes
+      LiquidWeight        &weight;      ///< of liquids, in what is measured
       const Body          &body;        ///< with the liquid
       dealii::TimerOutput &timer;       ///< of what resets take
     };

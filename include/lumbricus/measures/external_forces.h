@@ -3,6 +3,7 @@
 #define lumbricus_measures_external_forces_h
 
 #include <lumbricus/constraints/supports.h>
+#include <lumbricus/discretization/liquid_weight.h>
 #include <lumbricus/discretization/reference_field.h>
 #include <lumbricus/discretization/surface_terms.h>
 #include <lumbricus/discretization/volume_terms.h>
@@ -67,6 +68,7 @@ namespace lumbricus
                   SurfaceTerms             &terms,
                   const BodyForces         &body_forces,
                   const VolumeTerms        &volume_terms,
+                  LiquidWeight             &liquid_weight,
                   const ReferenceField     &references,
                   const Supports           &supports,
                   const Vector             &solution,

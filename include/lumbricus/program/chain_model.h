@@ -103,6 +103,7 @@ namespace lumbricus
     Supports       supports;      ///< the constraints
     SurfaceTerms   surface_terms; ///< tractions, and what the skin remembers
     VolumeTerms    volume_terms;  ///< body forces
+    LiquidWeight   liquid_weight; ///< those on liquids
     Assembler      assembler;     ///< residual and tangent
     Cavities       cavities;      ///< chambers without cells
     Equilibrium    equilibrium;   ///< all that Newton's method sees

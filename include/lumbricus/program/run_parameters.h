@@ -77,6 +77,11 @@ namespace lumbricus
     void
     follow_loads(const dealii::parallel::TriangulationBase<dim> &triangulation);
 
+    /** Of what is in the chamber of a segment, from zero, with cells or without
+     * [t/mm^3]. */
+    double
+    density_in_chamber(const unsigned int segment) const;
+
     SharedLibraries    shared_libraries;    ///< loaded before all others
     std::string        title;               ///< a line for the log
     UnitCheck          unit_check;          ///< entry Units

@@ -20,6 +20,8 @@ namespace lumbricus
     dealii::Point<dim>     X; ///< position at rest [mm]
     dealii::Tensor<1, dim> u; ///< displacement [mm]
     LoadTime               t; ///< time
+    /** Mass per reference volume, of the tissue [t/mm^3]. */
+    double density = 0.;
   };
 
 
@@ -57,6 +59,16 @@ namespace lumbricus
      * at @p point. */
     virtual void
     volume(const VolumePoint &point, VolumeResponse &response) const = 0;
+
+    /** The acceleration g that liquids are under at @p t, as a potential of the
+     * volume that they fill then [mm/s^2]: zero but for a weight. The points of
+     * the mesh inside a liquid are not its points, so that no other force can
+     * act there. */
+    virtual dealii::Tensor<1, dim>
+    gravity(const LoadTime & /*t*/) const
+    {
+      return dealii::Tensor<1, dim>();
+    }
 
     /** Whether the derivative keeps the matrix symmetric. */
     virtual bool
