@@ -234,6 +234,8 @@ namespace lumbricus
                                const bool       with_tangent,
                                double          *residual)
   {
+    // Where all terms together are symmetric, each cell takes its symmetric part.
+    std::vector<double> matrix;
     terms.visit(cell,
                 kernel->u,
                 t,
@@ -243,6 +245,7 @@ namespace lumbricus
                   subtract_force(point.JxW, point.values, response.T, residual);
                   if (!with_tangent || !response.depends_on_shape())
                     return;
+                  matrix.resize(n_per_cell * n_per_cell);
                   subtract_derivative(
                     point.JxW,
                     point.values,
@@ -252,8 +255,17 @@ namespace lumbricus
                       return response.dT_du[c][k] * point.values[m] +
                              response.dT_dF[c][k] * point.gradients[m];
                     },
-                    linearisation.surface_matrix(cell.index));
+                    matrix);
                 });
+    if (matrix.empty())
+      return;
+    std::vector<double> &all = linearisation.surface_matrix(cell.index);
+    for (unsigned int i = 0; i < n_per_cell; ++i)
+      for (unsigned int j = 0; j < n_per_cell; ++j)
+        all[i * n_per_cell + j] +=
+          linearisation.symmetric ?
+            0.5 * (matrix[i * n_per_cell + j] + matrix[j * n_per_cell + i]) :
+            matrix[i * n_per_cell + j];
   }
 
 

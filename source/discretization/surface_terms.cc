@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/nodal_history.h>
+#include <lumbricus/discretization/closed_surface.h>
 #include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/discretization/surface_terms.h>
 
@@ -63,7 +64,29 @@ namespace lumbricus
   bool
   SurfaceTerms::symmetric() const
   {
-    return conditions.symmetric();
+    if (keep_symmetry)
+      return *keep_symmetry;
+    keep_symmetry = true;
+    std::map<std::string, std::set<dealii::types::boundary_id>> surfaces;
+    for (unsigned int i = 0; i < conditions.n_conditions(); ++i)
+      {
+        const NamedCondition &condition = conditions.condition(i);
+        const SurfaceTerm    *term      = condition.surface_term();
+        if (term == nullptr || term->symmetric())
+          continue;
+        const std::string formula = term->uniform_pressure();
+        // Two of one formula on one boundary are twice the pressure there.
+        if (formula.empty() ||
+            !surfaces[formula].insert(condition.boundary).second)
+          keep_symmetry = false;
+      }
+    for (const auto &surface : surfaces)
+      if (!is_closed_surface(surface.second,
+                             body.space.triangulation,
+                             body.anatomy.geometry(),
+                             conditions))
+        keep_symmetry = false;
+    return *keep_symmetry;
   }
 
 

@@ -185,6 +185,14 @@ namespace lumbricus
 
 
 
+  bool
+  Expression::depends_on_place() const
+  {
+    return uses(text, "x") || uses(text, "y") || uses(text, "z");
+  }
+
+
+
   std::string
   point_text(const dealii::Point<dim> &X)
   {

@@ -245,16 +245,4 @@ namespace lumbricus
   {
     return hold_rigid_motions;
   }
-
-
-
-  bool
-  BoundaryConditions::symmetric() const
-  {
-    for (const auto &[boundary, numbers] : surface_terms)
-      for (const unsigned int i : numbers)
-        if (!condition(i).surface_term()->symmetric())
-          return false;
-    return true;
-  }
 } // namespace lumbricus

@@ -3,6 +3,9 @@
 #include <lumbricus/parameters/registry.h>
 #include <lumbricus/terms/surface_term.h>
 
+#include <string>
+#include <vector>
+
 namespace lumbricus
 {
   /**
@@ -33,6 +36,12 @@ namespace lumbricus
     symmetric() const override
     {
       return false;
+    }
+
+    std::string
+    uniform_pressure() const override
+    {
+      return pressure.depends_on_place() ? "" : pressure.formula();
     }
 
     void

@@ -68,6 +68,56 @@ subsection Boundary conditions
 end
 )";
 
+  // The same, on all of the surface that is no plane of symmetry.
+  const std::string pressure_around = R"(
+subsection Boundary conditions
+  set Names = head, tail, skin
+  subsection head
+    set Boundary = head
+    set Type     = follower pressure
+    subsection follower pressure
+      set Pressure = 0.01*t
+    end
+  end
+  subsection tail
+    set Boundary = tail
+    set Type     = follower pressure
+    subsection follower pressure
+      set Pressure = 0.01*t
+    end
+  end
+  subsection skin
+    set Boundary = skin
+    set Type     = follower pressure
+    subsection follower pressure
+      set Pressure = 0.01*t
+    end
+  end
+end
+)";
+
+  // The same, on the skin, whose ends are held.
+  const std::string pressure_between = R"(
+subsection Boundary conditions
+  set Names = load, head, tail
+  subsection load
+    set Boundary = skin
+    set Type     = follower pressure
+    subsection follower pressure
+      set Pressure = 0.01*t
+    end
+  end
+  subsection head
+    set Boundary = head
+    set Type     = displacement
+  end
+  subsection tail
+    set Boundary = tail
+    set Type     = displacement
+  end
+end
+)";
+
   // A force that follows the place, and not as springs do.
   class Whirl : public VolumeTerm
   {
@@ -163,6 +213,8 @@ end
                            Tangents,
                            ::testing::Values("",
                                              pressure.c_str(),
+                                             pressure_around.c_str(),
+                                             pressure_between.c_str(),
                                              whirl.c_str(),
                                              slip.c_str(),
                                              reference_slip.c_str()));

@@ -11,6 +11,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -36,7 +37,9 @@ namespace lumbricus
     void
     set_to(const State &state);
 
-    /** Whether all of them keep the matrix symmetric. */
+    /** Whether all of them together keep the matrix symmetric: each does at its
+     * points, or is a uniform pressure on a closed surface, whose unsymmetric parts
+     * add up to zero. Every rank looks at the coarse mesh. */
     bool
     symmetric() const;
 
@@ -88,6 +91,8 @@ namespace lumbricus
 
     /** When the last load step ended. */
     double last_time = 0.;
+    /** symmetric(), once it has been asked for. */
+    mutable std::optional<bool> keep_symmetry;
     /** By the numbers of conditions and of owned cells. */
     std::map<std::pair<unsigned int, unsigned int>, AtNodes> memories;
   };

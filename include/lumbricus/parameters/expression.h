@@ -56,6 +56,10 @@ namespace lumbricus
     double
     value(const dealii::Point<dim> &x, const LoadTime &t) const;
 
+    /** Whether x, y or z is in it. */
+    bool
+    depends_on_place() const;
+
     /** The name of the parameter in its section. */
     const std::string &
     parameter() const

@@ -98,10 +98,6 @@ namespace lumbricus
     bool
     minimal_support() const;
 
-    /** Whether the tangent matrix is symmetric. */
-    bool
-    symmetric() const;
-
   private:
     bool hold_rigid_motions = true;
 

@@ -9,6 +9,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <string>
 #include <vector>
 
 namespace lumbricus
@@ -62,11 +63,20 @@ namespace lumbricus
     virtual void
     surface(const SurfacePoint &point, SurfaceResponse &response) const = 0;
 
-    /** Whether the derivatives keep the matrix symmetric. */
+    /** Whether the derivatives keep the matrix symmetric, at each point. */
     virtual bool
     symmetric() const
     {
       return true;
+    }
+
+    /** The formula in t of a pressure that is the same at all points of the
+     * deformed surface, else nothing: on a closed surface this keeps the matrix
+     * symmetric as a whole. */
+    virtual std::string
+    uniform_pressure() const
+    {
+      return "";
     }
 
     /**
