@@ -172,11 +172,18 @@ namespace lumbricus
             else if (id < names.size())
               add(2, names[id], corners);
             else
-              for (const auto &plane : geometry.symmetry_planes())
-                if (plane.boundary == id)
-                  add(2,
-                      std::string("symmetry ") + "xyz"[plane.direction],
-                      corners);
+              {
+                for (const auto &plane : geometry.symmetry_planes())
+                  if (plane.boundary == id)
+                    add(2,
+                        std::string("symmetry ") + "xyz"[plane.direction],
+                        corners);
+                for (const auto &wall : geometry.cavities())
+                  if (wall.boundary == id)
+                    add(2,
+                        "cavity " + std::to_string(wall.segment + 1),
+                        corners);
+              }
           }
       }
     std::vector<MshGroup> list;

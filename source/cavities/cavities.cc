@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/cavities/cavities.h>
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/discretization/area_derivative.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/measures/cavity_measures.h>
+#include <lumbricus/measures/cavity_volume.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -47,7 +47,8 @@ namespace lumbricus
     walls.clear();
     chambers.clear();
     const Geometry &geometry = body.anatomy.geometry();
-    for (const CavityWall &wall : geometry.cavities())
+    const auto      around   = geometry.cavities();
+    for (const CavityWall &wall : around)
       {
         walls.emplace_back();
         walls.back().segment = wall.segment;
@@ -75,7 +76,7 @@ namespace lumbricus
                      for (unsigned int q = 0; q < surface.n_points(); ++q)
                        {
                          surface.set(q, at_rest);
-                         sum[0] += volume_in_cavity(surface);
+                         sum[0] += volume_in_cavity(surface, around[k]);
                          sum[1] += surface.JxW;
                          for (unsigned int c = 0; c < dim; ++c)
                            sum[2 + c] += area_out_of_cavity(surface)[c];
@@ -92,6 +93,9 @@ namespace lumbricus
         // A plane of symmetry closes it there.
         for (const SymmetryPlane &plane : geometry.symmetry_planes())
           sum[2 + plane.direction] = 0.;
+        // Pistons do so at their planes.
+        if (!around[k].pistons.empty())
+          sum[2] = 0.;
         const dealii::Tensor<1, dim> open({sum[2], sum[3], sum[4]});
         if (open.norm() > closed * sum[1] || !(sum[0] > 0.))
           {
@@ -172,6 +176,7 @@ namespace lumbricus
   {
     constexpr unsigned int n_per_cell = CellUnknowns::n_per_cell;
     const unsigned int     n          = walls.size();
+    const auto             around     = body.anatomy.geometry().cavities();
     Vector                 u, a, pull;
     unknowns.reinit_vector(u);
     unknowns.reinit_vector(a);
@@ -200,17 +205,15 @@ namespace lumbricus
             for (unsigned int q = 0; q < surface.n_points(); ++q)
               {
                 surface.set(q, kernel.u);
-                const auto   dA = area_out_of_cavity(surface);
-                const double V  = volume_in_cavity(surface);
+                const double V = volume_in_cavity(surface, around[k]);
                 sums[k] += V;
                 sums[n + k] += std::abs(V);
-                for (unsigned int c = 0; c < dim; ++c)
-                  for (unsigned int m = 0; m < MixedSpace::n_nodes; ++m)
-                    area[CellUnknowns::displacement(c, m)] +=
-                      surface.values[m] * dA[c];
-                // -P da/du, where a points against N.
+                add_volume_derivative(surface, around[k], area);
                 if (tangent != nullptr)
-                  add_area_derivative(surface, P[k], matrix);
+                  add_volume_second_derivative(surface,
+                                               around[k],
+                                               -P[k],
+                                               matrix);
               }
             for (unsigned int i = 0; i < n_per_cell; ++i)
               force[i] = -P[k] * area[i];

@@ -54,8 +54,12 @@ namespace lumbricus
     // What the wall leaves free of a liquid that slips is a spin about the
     // axis of a full cross-section, and to move out of an open tube. One
     // vertex inside holds both motions.
+    std::set<unsigned int> bodies;
+    for (const auto &cell : space.triangulation.cell_iterators_on_level(0))
+      bodies.insert(body_of(cell->material_id()));
     for (unsigned int s = 0; s + 1 < motions.size(); ++s)
-      hold(least.of_liquid(motions[s + 1], s, vertex_in_liquid(s)), s + 1);
+      if (bodies.count(s + 1) > 0)
+        hold(least.of_liquid(motions[s + 1], s, vertex_in_liquid(s)), s + 1);
     close();
   }
 

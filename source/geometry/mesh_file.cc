@@ -70,6 +70,12 @@ namespace lumbricus
       return mesh().symmetry_planes;
     }
 
+    std::vector<CavityWall>
+    cavities() const override
+    {
+      return mesh().cavities;
+    }
+
     std::string
     way_without_symmetry() const override
     {
@@ -127,7 +133,9 @@ namespace lumbricus
                       "in 'wall 2' (1 if there is no number), a physical "
                       "surface by what loads call it; the names 'symmetry x', "
                       "'symmetry y' and 'symmetry z' make it a plane of mirror "
-                      "symmetry. What is in no physical surface is the "
+                      "symmetry, 'cavity 1', 'cavity 2', ... the wall around the "
+                      "chamber of that segment, which then has no cells but one "
+                      "pressure, see Cavities. What is in no physical surface is the "
                       "boundary 'free'. The axis of the body has to be the x "
                       "axis.",
                       dealii::Patterns::FileName());

@@ -91,7 +91,10 @@ namespace lumbricus
   mesh_sections(const Vertices                &vertices,
                 const Cells                   &cells,
                 const std::vector<TissueName> &tissues,
-                const unsigned int             n_segments)
+                const unsigned int             n_segments,
+                const std::vector<CavityWall> &cavities,
+                const std::map<FaceKey, dealii::types::boundary_id>
+                  &boundary_ids)
   {
     Extent1d body;
     for (const auto &X : vertices)
@@ -124,6 +127,22 @@ namespace lumbricus
             if (tissue.liquid == has_liquid)
               segment.middle_planes.insert(x);
           }
+      }
+
+    for (const CavityWall &wall : cavities)
+      {
+        Along &segment = segments[wall.segment];
+        segment.middle_planes.clear();
+        for (const auto &[key, id] : boundary_ids)
+          if (id == wall.boundary)
+            for (const unsigned int v : key)
+              {
+                segment.liquid.include(vertices[v][0]);
+                for (const unsigned int w : key)
+                  if (v < w &&
+                      std::abs(vertices[v][0] - vertices[w][0]) < tolerance)
+                    segment.middle_planes.insert(vertices[v][0]);
+              }
       }
 
     std::vector<SegmentSections> sections;

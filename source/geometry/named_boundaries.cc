@@ -9,15 +9,13 @@
 #include <limits>
 #include <sstream>
 
+#include "mesh_cavities.h"
 #include "round_axis.h"
 
 namespace lumbricus
 {
   namespace
   {
-    using NameOfFace = std::map<FaceKey, std::string>;
-    using FaceCounts = std::map<FaceKey, unsigned int>;
-
     const std::string free_boundary = "free";
 
     const std::array<std::string, dim> symmetry_names = {
@@ -26,13 +24,15 @@ namespace lumbricus
 
 
     void
-    name_faces(const MshFile      &file,
-               const NameOfFace   &name_of_face,
-               const FaceCounts   &n_cells,
-               const MeshMessages &messages,
-               NamedMesh          &mesh)
+    name_faces(const MshFile                             &file,
+               const NameOfFace                          &name_of_face,
+               const FaceCounts                          &n_cells,
+               const std::map<unsigned int, std::string> &cavities,
+               const MeshMessages                        &messages,
+               NamedMesh                                 &mesh)
     {
-      // The names of the boundary in the order of their tags, then the planes.
+      // The names of the boundary in the order of their tags, then the planes,
+      // then the cavities.
       std::set<std::string> used;
       for (const auto &[key, n] : n_cells)
         if (n == 1)
@@ -42,11 +42,14 @@ namespace lumbricus
                                                      name->second);
           }
       std::map<std::string, dealii::types::boundary_id> ids;
+      std::set<std::string>                             walls;
+      for (const auto &entry : cavities)
+        walls.insert(entry.second);
       const auto add = [&](const std::string &name) {
         const bool plane =
           std::find(symmetry_names.begin(), symmetry_names.end(), name) !=
           symmetry_names.end();
-        if (!plane && used.count(name) > 0 &&
+        if (!plane && walls.count(name) == 0 && used.count(name) > 0 &&
             ids.insert({name, mesh.boundary_names.size()}).second)
           mesh.boundary_names.push_back(name);
         if (!plane && name.compare(0, 8, "symmetry") == 0)
@@ -67,6 +70,14 @@ namespace lumbricus
             ids[symmetry_names[d]] = id;
             mesh.symmetry_planes.push_back({id, d});
           }
+      for (const auto &[segment, name] : cavities)
+        {
+          const dealii::types::boundary_id id =
+            mesh.boundary_names.size() + mesh.symmetry_planes.size() +
+            mesh.cavities.size();
+          ids[name] = id;
+          mesh.cavities.push_back({id, segment});
+        }
 
       for (const auto &[key, n] : n_cells)
         if (n == 1)
@@ -303,8 +314,11 @@ namespace lumbricus
                         "' and '" + name->second + "'. Put it into one.");
       }
 
-    name_faces(file, name_of_face, n_cells, messages, mesh);
+    const auto cavities =
+      cavity_names(file, name_of_face, n_cells, messages, mesh);
+    name_faces(file, name_of_face, n_cells, cavities, messages, mesh);
     check_symmetry_planes(mesh, messages);
+    close_cavities(cavities, messages, mesh);
     find_inner_surfaces(name_of_face, n_cells, mesh);
     find_round_faces(name_of_face, choices, messages, mesh);
   }

@@ -98,7 +98,9 @@ namespace lumbricus
       mesh.sections = mesh_sections(mesh.vertices,
                                     mesh.cells,
                                     mesh.tissues,
-                                    *segments.rbegin());
+                                    *segments.rbegin(),
+                                    mesh.cavities,
+                                    mesh.boundary_ids);
       mesh.support_points =
         mesh_support_points(mesh.vertices, mesh.cells, mesh.tissues);
       const dealii::BoundingBox<dim> box(mesh.vertices);

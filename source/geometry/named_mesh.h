@@ -41,8 +41,9 @@ namespace lumbricus
    * The mesh in a file of Gmsh with the meaning its physical names give it.
    *
    * A physical volume is named "<tissue>" or "<tissue> <segment>", a physical
-   * surface by its boundary, or "symmetry x", "symmetry y", "symmetry z". The
-   * rest of the boundary is called "free".
+   * surface by its boundary, or "symmetry x", "symmetry y", "symmetry z", or
+   * "cavity <segment>" around a chamber without cells. The rest of the boundary is
+   * called "free".
    */
   struct NamedMesh
   {
@@ -57,6 +58,8 @@ namespace lumbricus
     std::vector<std::string> boundary_names;
     /** See Geometry::symmetry_planes(). */
     std::vector<SymmetryPlane> symmetry_planes;
+    /** See Geometry::cavities(). */
+    std::vector<CavityWall> cavities;
 
     /** Of all faces at the boundary. */
     std::map<FaceKey, dealii::types::boundary_id> boundary_ids;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/parameters/registry.h>
+
+#include <string>
+#include <vector>
 
 #include "coarse_cells.h"
 #include "extrusion.h"
@@ -10,7 +14,8 @@ namespace lumbricus
 {
   /**
    * A tube along the x axis from 0 to its length, open at both ends, with or
-   * without a liquid in it: one segment without septa and caps.
+   * without a liquid in it: one segment without septa and caps. A liquid that
+   * has no cells is closed in by pistons, planes that cover its ends.
    */
   class OpenCylinder : public Geometry
   {
@@ -40,6 +45,9 @@ namespace lumbricus
 
     std::vector<std::string>
     boundary_names() const override;
+
+    std::vector<CavityWall>
+    cavities() const override;
 
     std::vector<SymmetryPlane>
     symmetry_planes() const override
@@ -71,8 +79,8 @@ namespace lumbricus
   private:
     inline static const std::string path = "Geometry/open cylinder";
 
-    // The boundary ids; those of the symmetry planes follow. What comes after
-    // the skin depends on whether there is a liquid.
+    // The boundary ids; those of the symmetry planes follow, and then that of a
+    // cavity. What comes after the skin depends on whether there is a liquid.
     enum Boundary : unsigned int
     {
       head           = 0,
@@ -82,6 +90,19 @@ namespace lumbricus
       head_of_liquid = 3,
       tail_of_liquid = 4
     };
+
+    bool
+    has_cavity() const
+    {
+      return filled && liquid == "cavity";
+    }
+
+    /** Whether there are cells inside the wall. */
+    bool
+    is_solid() const
+    {
+      return filled && !has_cavity();
+    }
 
     std::vector<double>
     radii() const
@@ -94,6 +115,7 @@ namespace lumbricus
     double              length            = 4.;
     std::vector<double> layer_thicknesses = {0.15, 0.15};
     bool                filled            = true;
+    std::string         liquid            = "meshed";
     unsigned int        n_along           = 4;
   };
 
@@ -119,8 +141,18 @@ namespace lumbricus
                       filled,
                       "[true or false] Whether the tube is filled with liquid. "
                       "If so, the ends of the liquid are the boundaries 'head "
-                      "of the liquid' and 'tail of the liquid'; if not, the "
-                      "inner surface is the boundary 'inside'.");
+                      "of the liquid' and 'tail of the liquid', where it is "
+                      "meshed; if not, the inner surface is the boundary "
+                      "'inside'.");
+    prm.add_parameter("Liquid",
+                      liquid,
+                      "What is in a tube that is filled. 'meshed': cells of "
+                      "the tissue 'liquid', a soft rubber that is reset. "
+                      "'cavity': no cells, but one pressure, see Cavities; it "
+                      "acts on pistons over the whole of both ends, so that "
+                      "displacements of 'head' and 'tail' have to be "
+                      "prescribed along x, the same all over an end.",
+                      dealii::Patterns::Selection("meshed|cavity"));
     section.declare_parameters(prm);
     prm.add_parameter("Cells along the cylinder",
                       n_along,
@@ -140,7 +172,11 @@ namespace lumbricus
                              n_along,
                              "faces of the mesh have to lie in the middle, "
                              "where the cylinder is measured");
-    check_n_coarse_cells(path, section.n_cells(filled) * n_along);
+    check_n_coarse_cells(path, section.n_cells(is_solid()) * n_along);
+    AssertThrow(filled || liquid == "meshed",
+                ExcParameter("Liquid",
+                             "is 'cavity', but the tube is empty. Set "
+                             "'Filled' to true, or remove 'Liquid'."));
   }
 
 
@@ -156,14 +192,15 @@ namespace lumbricus
     // Without a liquid there is no ring 0, and the first layer is tissue 0.
     const auto region = [&](const unsigned int /*slab*/,
                             const unsigned int ring) {
-      return Region{0, filled ? ring : ring - 1};
+      return Region{0, is_solid() ? ring : ring - 1};
     };
 
-    const unsigned int n_names = boundary_names().size();
-    const auto         boundary =
-      [n_names](const BodySurface  surface,
-                const unsigned int ring,
-                const unsigned int /*slab*/) -> dealii::types::boundary_id {
+    const unsigned int n_names  = boundary_names().size();
+    const auto         walls    = cavities();
+    const auto         boundary = [&](const BodySurface  surface,
+                              const unsigned int ring,
+                              const unsigned int /*slab*/)
+      -> dealii::types::boundary_id {
       switch (surface)
         {
           case BodySurface::head:
@@ -173,14 +210,17 @@ namespace lumbricus
           case BodySurface::outer:
             return skin;
           case BodySurface::inner:
-            return inside;
+            return walls.empty() ? inside : walls[0].boundary;
           default:
             return RoundSection::symmetry_boundary(surface, n_names);
         }
     };
 
-    extrude(
-      section.cross_section(filled), stations, region, boundary, triangulation);
+    extrude(section.cross_section(is_solid()),
+            stations,
+            region,
+            boundary,
+            triangulation);
   }
 
 
@@ -189,7 +229,7 @@ namespace lumbricus
   OpenCylinder::tissues() const
   {
     std::vector<TissueName> all;
-    if (filled)
+    if (is_solid())
       all.push_back({"liquid", true});
     section.append_layers(all);
     return all;
@@ -201,11 +241,22 @@ namespace lumbricus
   OpenCylinder::boundary_names() const
   {
     std::vector<std::string> names = {"head", "tail", "skin"};
-    if (filled)
+    if (is_solid())
       names.insert(names.end(), {"head of the liquid", "tail of the liquid"});
-    else
+    else if (!has_cavity())
       names.emplace_back("inside");
     return names;
+  }
+
+
+
+  std::vector<CavityWall>
+  OpenCylinder::cavities() const
+  {
+    if (!has_cavity())
+      return {};
+    const unsigned int first = boundary_names().size();
+    return {{first + unsigned(symmetry_planes().size()), 0, {head, tail}}};
   }
 
 
@@ -214,7 +265,7 @@ namespace lumbricus
   OpenCylinder::support_points() const
   {
     // On the axis if there is material; else on the inner rim, where z > 0.
-    const double z = filled ? 0. : radius;
+    const double z = is_solid() ? 0. : radius;
     return {{dealii::Point<dim>(0., 0., z),
              dealii::Point<dim>(length, 0., z),
              dealii::Point<dim>(0., 0., radii().back())}};

@@ -111,12 +111,6 @@ namespace lumbricus
       n_boundaries
     };
 
-    bool
-    has_cavities() const
-    {
-      return liquid == "cavity";
-    }
-
     std::vector<SegmentRange>
     ranges() const
     {
@@ -137,7 +131,6 @@ namespace lumbricus
     /** By name of the section. The addresses of its values stay as they are. */
     std::map<std::string, SegmentMeasures> own_measures;
 
-    std::string  liquid        = "meshed";
     unsigned int n             = 3;
     double       cap_thickness = 0.3;
     unsigned int n_along       = 2;
@@ -167,12 +160,6 @@ namespace lumbricus
                       "[mm] Thickness of the caps that close the chain at its "
                       "head and at its tail.",
                       PositiveNumber());
-    prm.add_parameter("Liquid",
-                      liquid,
-                      "What is in the chambers. 'meshed': cells of the tissue "
-                      "'liquid', a soft rubber that is reset. 'cavity': no "
-                      "cells, but one pressure for each, see Cavities.",
-                      dealii::Patterns::Selection("meshed|cavity"));
     prm.add_parameter(
       ranges_name,
       range_list,
@@ -313,8 +300,14 @@ namespace lumbricus
   SegmentChain::create_coarse_mesh(
     dealii::Triangulation<dim> &triangulation) const
   {
-    const ChainLayout  plan     = layout();
-    const unsigned int n_layers = section.n_layers();
+    const ChainLayout  plan       = layout();
+    const unsigned int n_layers   = section.n_layers();
+    const bool         has_liquid = tissues()[0].liquid;
+
+    // The boundaries of the chambers without cells, by segment.
+    std::map<unsigned int, dealii::types::boundary_id> walls;
+    for (const CavityWall &wall : cavities())
+      walls[wall.segment] = wall.boundary;
 
     // In the order of tissues().
     const auto region = [&](const unsigned int slab, const unsigned int ring) {
@@ -326,13 +319,12 @@ namespace lumbricus
         ring > 0                                    ? ring :
         where.filling == ChainSlab::Filling::septum ? septum :
                                                       0;
-      if (place == 0 && has_cavities())
+      if (place == 0 && walls.count(where.segment) > 0)
         return std::optional<Region>();
       return std::make_optional(
-        Region{where.segment, has_cavities() ? place - 1 : place});
+        Region{where.segment, has_liquid ? place : place - 1});
     };
 
-    const auto walls = cavities();
     const auto boundary =
       [&](const BodySurface surface,
          const unsigned int /*ring*/,
@@ -340,7 +332,7 @@ namespace lumbricus
       switch (surface)
         {
           case BodySurface::chamber:
-            return walls[plan.slabs[slab].segment].boundary;
+            return walls.at(plan.slabs[slab].segment);
           case BodySurface::head:
             return head;
           case BodySurface::tail:
@@ -365,7 +357,7 @@ namespace lumbricus
   SegmentChain::tissues() const
   {
     std::vector<TissueName> all;
-    if (!has_cavities())
+    if (cavities().size() < n)
       all.push_back({"liquid", true});
     section.append_layers(all);
     if (n > 1)
@@ -379,11 +371,12 @@ namespace lumbricus
   std::vector<CavityWall>
   SegmentChain::cavities() const
   {
-    const unsigned int first = n_boundaries + symmetry_planes().size();
+    const auto              segments = measures();
+    unsigned int            next     = n_boundaries + symmetry_planes().size();
     std::vector<CavityWall> all;
-    if (has_cavities())
-      for (unsigned int s = 0; s < n; ++s)
-        all.push_back({first + s, s});
+    for (unsigned int s = 0; s < n; ++s)
+      if (segments[s].liquid == "cavity")
+        all.push_back({next++, s});
     return all;
   }
 

@@ -35,6 +35,12 @@ namespace lumbricus
       "rear half to the next. Where neighbours differ in radius "
       "or wall, the septum is where one changes into the other.",
       PositiveNumber());
+    prm.add_parameter("Liquid",
+                      liquid,
+                      "What is in the chamber. 'meshed': cells of the tissue "
+                      "'liquid', a soft rubber that is reset. 'cavity': no "
+                      "cells, but one pressure, see Cavities.",
+                      dealii::Patterns::Selection("meshed|cavity"));
 
     *this = exact;
   }

@@ -4,6 +4,7 @@
 
 #include <lumbricus/parameters/parameter_owner.h>
 
+#include <string>
 #include <vector>
 
 namespace lumbricus
@@ -27,6 +28,8 @@ namespace lumbricus
     double septum_thickness = 0.1;
     /** Of the layers of the wall, from inside to outside [mm]. */
     std::vector<double> layer_thicknesses = {0.15, 0.15};
+    /** What is in the chamber: "meshed", or "cavity" where no cells are. */
+    std::string liquid = "meshed";
   };
 } // namespace lumbricus
 

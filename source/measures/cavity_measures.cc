@@ -2,6 +2,7 @@
 #include <lumbricus/discretization/cavity_faces.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/measures/cavity_measures.h>
+#include <lumbricus/measures/cavity_volume.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -13,22 +14,6 @@
 namespace lumbricus
 {
   const std::string cavity_pressure = "cavity_pressure";
-
-
-
-  dealii::Tensor<1, dim>
-  area_out_of_cavity(const SurfaceKernel &surface)
-  {
-    return -surface.JxW * (dealii::cofactor(surface.F) * surface.N);
-  }
-
-
-
-  double
-  volume_in_cavity(const SurfaceKernel &surface)
-  {
-    return (surface.X + surface.u) * area_out_of_cavity(surface) / dim;
-  }
 
 
 
@@ -151,6 +136,7 @@ namespace lumbricus
   std::vector<double>
   cavity_volumes(const Body &body, const Vector &relevant_solution)
   {
+    const auto          walls = body.anatomy.geometry().cavities();
     const CavityFaces   cavities(body.anatomy.geometry());
     std::vector<double> volumes(cavities.size(), 0.);
     if (volumes.empty())
@@ -168,7 +154,7 @@ namespace lumbricus
       for (unsigned int q = 0; q < surface.n_points(); ++q)
         {
           surface.set(q, kernel.u);
-          volumes[k] += volume_in_cavity(surface);
+          volumes[k] += volume_in_cavity(surface, walls[k]);
         }
     });
     dealii::Utilities::MPI::sum(volumes, space.communicator(), volumes);

@@ -2,6 +2,7 @@
 #include <lumbricus/discretization/cavity_faces.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/measures/cavity_measures.h>
+#include <lumbricus/measures/cavity_volume.h>
 #include <lumbricus/measures/external_forces.h>
 
 #include <deal.II/lac/vector.h>
@@ -131,6 +132,7 @@ namespace lumbricus
     const unsigned int n_conditions = conditions.n_conditions();
     const unsigned int n_planes     = geometry.symmetry_planes().size();
 
+    const auto         walls = geometry.cavities();
     const CavityFaces  cavities(geometry);
     const bool         has_cavities = cavities.size() > 0;
     const unsigned int first_body_force =
@@ -201,14 +203,25 @@ namespace lumbricus
             if (k == CavityFaces::none)
               continue;
             surface.reinit(cell.iterator, f);
+            double of_face[CellUnknowns::n_per_cell] = {};
             for (unsigned int q = 0; q < surface.n_points(); ++q)
               {
                 surface.set(q, kernel.u);
-                pull(all.back(),
-                     surface.X + surface.u,
-                     globals.at(cavity_pressure)[k] *
-                       area_out_of_cavity(surface),
-                     surface.values);
+                add_volume_derivative(surface, walls[k], of_face);
+              }
+            // Also on the rims of pistons: forces on nodes, not on points.
+            for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+              {
+                dealii::Point<dim>     x = shapes.node(cell.index, n);
+                dealii::Tensor<1, dim> force;
+                for (unsigned int c = 0; c < dim; ++c)
+                  {
+                    x[c] += kernel.u[c][n];
+                    force[c] = globals.at(cavity_pressure)[k] *
+                               of_face[CellUnknowns::displacement(c, n)];
+                    of_cell(space.displacement_dof[c][n]) -= force[c];
+                  }
+                all.back().add(x, force);
               }
           }
         if (is_pressed)

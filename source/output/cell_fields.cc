@@ -8,6 +8,8 @@
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_tools.h>
 
+#include "cavity_points.h"
+
 namespace lumbricus
 {
   namespace
@@ -87,17 +89,53 @@ namespace lumbricus
         }
     };
     visit_points(body, references, state, [&](FieldPoint &point) {
-      double *next = values[point.q].data();
-      for (const FieldArray &array : nodal)
-        {
-          point.muscle = array.muscle;
-          array.field->get(point, next);
-          next += array.field->n_components();
-        }
+      get_nodal(point, values[point.q].data());
       if (point.q + 1 == n_q)
         finish_cell(point);
     });
     field_values.update_ghost_values();
+    update_filling_cells(state);
+  }
+
+
+
+  void
+  CellFields::update_filling_cells(const State &state)
+  {
+    constexpr unsigned int n_nodes = MixedSpace::n_nodes;
+    filling.clear();
+    std::vector<double> values(fe->n_components());
+    visit_cavity_points(body, state, [&](FieldPoint &point) {
+      if (point.q == 0)
+        {
+          filling.emplace_back();
+          filling.back().nodal.resize(values.size() * n_nodes);
+          filling.back().per_cell.resize(per_cell.size());
+          for (unsigned int i = 0; i < per_cell.size(); ++i)
+            {
+              point.muscle = per_cell[i].muscle;
+              per_cell[i].field->get(point, &filling.back().per_cell[i]);
+            }
+        }
+      FillingCell &cell = filling.back();
+      cell.X[point.q]   = point.X;
+      get_nodal(point, values.data());
+      for (unsigned int c = 0; c < values.size(); ++c)
+        cell.nodal[c * n_nodes + point.q] = values[c];
+    });
+  }
+
+
+
+  void
+  CellFields::get_nodal(FieldPoint &point, double *next) const
+  {
+    for (const FieldArray &array : nodal)
+      {
+        point.muscle = array.muscle;
+        array.field->get(point, next);
+        next += array.field->n_components();
+      }
   }
 
 
@@ -149,6 +187,14 @@ namespace lumbricus
   CellFields::values() const
   {
     return field_values;
+  }
+
+
+
+  const std::vector<FillingCell> &
+  CellFields::filling_cells() const
+  {
+    return filling;
   }
 
 

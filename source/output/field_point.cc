@@ -10,6 +10,8 @@ namespace lumbricus
   const MuscleFibre *
   FieldPoint::fibre() const
   {
+    if (material == nullptr)
+      return nullptr;
     const auto &muscles = material->muscles();
     const auto  here    = std::find(muscles.begin(), muscles.end(), muscle);
     return here == muscles.end() ? nullptr :

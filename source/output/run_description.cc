@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+#include "cavity_points.h"
+
 namespace lumbricus
 {
   namespace
@@ -87,6 +89,13 @@ namespace lumbricus
                          .add("liquid", anatomy.is_liquid(i))
                          .add("law", anatomy.tissue(i).law_name())
                          .add("muscles", anatomy.tissue(i).muscle_names()));
+      if (!anatomy.geometry().cavities().empty() &&
+          tissue_of_cavities(anatomy.geometry()) == names.size())
+        tissues.append(JsonValue::object()
+                         .add("name", cavity_tissue)
+                         .add("liquid", true)
+                         .add("law", JsonValue())
+                         .add("muscles", JsonValue::array()));
       return tissues;
     }
 

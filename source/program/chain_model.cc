@@ -4,6 +4,7 @@
 #include <lumbricus/program/chain_model.h>
 
 #include "load_balance.h"
+#include "piston_check.h"
 
 namespace lumbricus
 {
@@ -78,6 +79,7 @@ namespace lumbricus
                                     parameters.boundary_conditions,
                                     parameters.body_forces,
                                     times);
+    check_pistons(body, supports, times);
     check_load_balance(body,
                        parameters.boundary_conditions,
                        parameters.body_forces,

@@ -16,7 +16,8 @@ HERE = pathlib.Path(__file__).parent
 LAYERS = "longitudinal muscle, circular muscle"
 
 
-def with_mesh(base, version, layers, folder):
+def with_mesh(base, version, layers, folder,
+              more="    set Round surfaces = skin, inner circles\n"):
     """A case like the base, but with the mesh in a file."""
     mesh = folder / "body.msh"
     subprocess.run([os.environ["WRITE_MSH"], str(base), version, str(mesh)],
@@ -30,9 +31,22 @@ def with_mesh(base, version, layers, folder):
   subsection mesh file
     set File           = {mesh}
     set Wall layers    = {layers}
-    set Round surfaces = skin, inner circles
-  end""" + text[end:])
+{more}  end""" + text[end:])
     return case
+
+
+def chain_of_equal_segments(folder, own=""):
+    """chain.prm without its own measures: the file says of a face whether it is
+    round, and the skin of unequal segments is a cone at a septum."""
+    text = (HERE / "chain.prm").read_text()
+    begin = text.index("    set Segments with their own measures")
+    base = folder / "base.prm"
+    text = text[:begin] + own + text[text.index("  end\nend", begin):]
+    if own.endswith("Liquid = cavity\n"):
+        text = re.sub("  subsection liquid\n.*?\n  end\n", "", text,
+                      flags=re.DOTALL)
+    base.write_text(text)
+    return base
 
 
 def assert_same_numbers(a, b, columns, tolerance):
@@ -58,12 +72,7 @@ def test_same_body_from_a_mesh_file(base, layers, version, coupling, ranks,
                      "Time/Largest step=0.1"]
     base = HERE / base
     if base.name == "chain.prm":
-        # Of equal segments: the file says of a face whether it is round, and
-        # the skin of unequal ones is a cone at a septum.
-        text = base.read_text()
-        begin = text.index("    set Segments with their own measures")
-        base = tmp_path / "base.prm"
-        base.write_text(text[:begin] + text[text.index("  end\nend", begin):])
+        base = chain_of_equal_segments(tmp_path)
     case = with_mesh(base, version, layers, tmp_path)
     built_in = run_well(base, tmp_path / "a", settings)
     from_file = run_well(case, tmp_path / "b", settings, ranks)
@@ -77,6 +86,128 @@ def test_same_body_from_a_mesh_file(base, layers, version, coupling, ranks,
     # It has moved.
     assert from_file.last()["mid_radius"] < \
         0.99 * from_file.segments()[0]["mid_radius"]
+
+
+@pytest.fixture(scope="module")
+def meshed(tmp_path_factory):
+    """A chain from a file, whose inner faces are flat: the wall around a chamber
+    is one surface, round and flat, which cannot be round about the axis."""
+    folder = tmp_path_factory.mktemp("meshed")
+    case = with_mesh(chain_of_equal_segments(folder), "4.1", LAYERS, folder,
+                     "    set Round surfaces = skin\n")
+    return run_well(case, folder / "out", ["Reset/Tolerance=1e-5"])
+
+
+@pytest.mark.parametrize("liquid, ranks", [("cavity", 1), ("cavity", 2),
+                                           ("mixed", 2)])
+def test_chambers_without_cells_from_a_mesh_file(liquid, ranks, tmp_path,
+                                                 meshed):
+    """The physical surfaces 'cavity 1', ... instead of the volumes inside."""
+    mixed = liquid == "mixed"
+    base = chain_of_equal_segments(tmp_path, """
+    set Segments with their own measures = 2
+    subsection Segment 2
+      set Liquid = cavity
+    end
+""" if mixed else "    set Liquid = cavity\n")
+    case = with_mesh(base, "4.1", LAYERS, tmp_path,
+                     "    set Round surfaces = skin\n" +
+                     ("" if mixed else "    set Liquid tissues =\n"))
+    result = run_well(case, tmp_path / "out", ["Reset/Tolerance=1e-5"], ranks)
+    columns = ["length", "mid_radius", "fluid_volume", "wall_volume"]
+    assert_same_numbers(result.segments(), meshed.segments(), columns, 2e-5)
+    largest = max(row["fluid_pressure"] for row in meshed.segments())
+    for row, other in zip(result.segments(), meshed.segments(), strict=True):
+        assert row["fluid_pressure"] == pytest.approx(
+            other["fluid_pressure"], abs=(4e-5 if mixed else 2e-5) * largest)
+        if row["segment"] == 2 or not mixed:
+            assert row["eta"] == 0
+
+
+def test_gas_in_a_balloon(tmp_path):
+    """An eighth of a rubber sphere with gas inside, which swells when the pressure
+    outside falls. The facets of the mesh make it smaller than the sphere, with
+    half of the edges by a fourth of that, the wall as much as the chamber, so that
+    the stretch is not that of the facets. A plane of symmetry may be anywhere."""
+    radius, thickness, a = 10., 1., 0.5
+    at_rest, outside = 0.101325, 0.03
+
+    def pressure(stretch):
+        """p = int 2 a (l^2 - l^-4) dr/r, l = r/R, by Simpson's rule."""
+        growth = radius**3 * (stretch**3 - 1)
+
+        def f(R):
+            r = (R**3 + growth) ** (1 / 3)
+            return 2 * a * ((r / R)**2 - (r / R)**-4) * (R / r)**2 / r
+        n = 200
+        h = thickness / n
+        return h / 3 * sum((1 if i in (0, n) else 4 if i % 2 else 2)
+                           * f(radius + i * h) for i in range(n + 1))
+
+    low, high = 1., 1.3
+    while high - low > 1e-12:
+        middle = (low + high) / 2
+        if pressure(middle) < at_rest / middle**3 - outside:
+            low = middle
+        else:
+            high = middle
+    sys.path.insert(0, str(SOURCE / "parameters" / "balloon"))
+    import shell
+    errors, missing = [], []
+    for n in (3, 6):
+        nodes, groups = shell.make_shell(radius, thickness, n)
+        groups["cavity 1"] = groups.pop("inside")
+        runs = []
+        for shift in (0, 7):
+            mesh = tmp_path / f"{n}.{shift}.msh"
+            shell.write_msh(mesh, {(x, y, z + shift): number for (x, y, z), number
+                                   in nodes.items()}, groups)
+            case = tmp_path / "case.prm"
+            case.write_text(f"""
+subsection Geometry
+  set Shape = mesh file
+  subsection mesh file
+    set File           = {mesh}
+    set Liquid tissues =
+  end
+end
+subsection Tissues
+  subsection wall
+    subsection Neo-Hooke
+      set a = {a}
+    end
+  end
+end
+subsection Cavities
+  set Content = gas
+  subsection gas
+    set Absolute pressure at rest = {at_rest}
+    set Absolute pressure outside = {outside}
+  end
+end
+subsection Time
+  set First step   = 1
+  set Largest step = 1
+end
+subsection Output
+  set Every = 0
+end
+""")
+            runs.append(run_well(case, mesh.with_suffix(".out")))
+        first, last = runs[0].segments()[0], runs[0].last()
+        sphere = 4 / 3 * math.pi * radius**3
+        missing.append(1 - first["fluid_volume"] / sphere)
+        stretch = (last["fluid_volume"] / first["fluid_volume"]) ** (1 / 3)
+        errors.append(stretch - low)
+        assert last["fluid_pressure"] == pytest.approx(
+            at_rest / stretch**3 - outside, rel=1e-9)
+        for column in ("fluid_volume", "fluid_pressure"):
+            assert runs[1].last()[column] == pytest.approx(last[column],
+                                                           rel=1e-9)
+    print("stretch", low, errors, missing)
+    assert abs(errors[0]) < 1e-5 and abs(errors[1]) < 1e-6
+    assert missing[1] < 0.02
+    assert missing[0] / missing[1] == pytest.approx(4, rel=0.1)
 
 
 def test_case_of_the_gallery(tmp_path):

@@ -76,10 +76,16 @@ namespace lumbricus
   /** The wall around a chamber whose liquid has no cells. */
   struct CavityWall
   {
-    /** The id of its faces, which together with planes of symmetry close it. */
+    /** The id of its faces, which close it together with planes of symmetry and
+     * with pistons. */
     dealii::types::boundary_id boundary;
     /** Which segment's chamber it is, from zero; each has at most one. */
     unsigned int segment;
+    /** The ids of the ends of a tube that pistons close: planes x = const, which
+     * stay such planes. Empty for a chamber with a wall all around. */
+    std::vector<dealii::types::boundary_id> pistons = {};
+    /** A point in all planes of symmetry [mm]. */
+    dealii::Point<dim> origin = dealii::Point<dim>();
   };
 
 

@@ -3,7 +3,6 @@
 #define lumbricus_measures_cavity_measures_h
 
 #include <lumbricus/discretization/body.h>
-#include <lumbricus/discretization/surface_kernel.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -15,15 +14,6 @@ namespace lumbricus
   /** What State::globals calls the pressures of the chambers without cells, in
    * the order of Geometry::cavities() [N/mm^2]. */
   extern const std::string cavity_pressure;
-
-  /** cof(F) N dA where @p surface is, at the wall around a cavity: the area
-   * vector out of the cavity, which is into the wall [mm^2]. */
-  dealii::Tensor<1, dim>
-  area_out_of_cavity(const SurfaceKernel &surface);
-
-  /** What the point adds to the volume inside, x . n da/3 [mm^3]. */
-  double
-  volume_in_cavity(const SurfaceKernel &surface);
 
   /**
    * For every cavity the area vector of its section in the middle of its segment,

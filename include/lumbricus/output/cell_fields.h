@@ -4,11 +4,13 @@
 
 #include <lumbricus/output/field.h>
 
+#include <deal.II/base/point.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +23,17 @@ namespace lumbricus
     std::string   name;   ///< the only one of this name
     const Field  *field;  ///< what it is
     const Muscle *muscle; ///< null for a field that is not per muscle
+  };
+
+
+
+  /** A cell that is there in pictures only, with values at its nodes, x fastest. */
+  struct FillingCell
+  {
+    std::array<dealii::Point<dim>, MixedSpace::n_nodes> X; ///< at rest [mm]
+    /** Of the nodal arrays: [component * n_nodes + node]. */
+    std::vector<double> nodal;
+    std::vector<double> per_cell; ///< of the arrays per cell
   };
 
 
@@ -74,10 +87,22 @@ namespace lumbricus
     const dealii::Vector<double> &
     cell_values(const unsigned int i) const;
 
+    /** Cells of this rank that fill chambers without cells, see
+     * visit_cavity_points(). */
+    const std::vector<FillingCell> &
+    filling_cells() const;
+
     /** Where they are. */
     const Body body;
 
   private:
+    void
+    update_filling_cells(const State &state);
+
+    /** Write the values of the nodal arrays at @p point from @p next on. */
+    void
+    get_nodal(FieldPoint &point, double *next) const;
+
     const ReferenceField &references;
 
     std::vector<FieldArray> nodal;
@@ -88,6 +113,7 @@ namespace lumbricus
     dealii::FullMatrix<double>             projection;
     Vector                                 field_values;
     std::vector<dealii::Vector<double>>    values_per_cell;
+    std::vector<FillingCell>               filling;
   };
 } // namespace lumbricus
 

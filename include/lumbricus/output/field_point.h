@@ -29,7 +29,8 @@ namespace lumbricus
     unsigned int  segment   = 1;       ///< from 1, the head's
     unsigned int  tissue    = 0;       ///< Region::tissue
     bool          is_liquid = false;   ///< whether that is a liquid
-    const Tissue *material  = nullptr; ///< that tissue; never null
+    /** That tissue; null in a chamber without cells. */
+    const Tissue *material = nullptr;
 
     dealii::Tensor<1, dim>          u;      ///< displacement [mm]
     dealii::Tensor<2, dim>          F;      ///< I + du/dX, [i][J]

@@ -3,7 +3,9 @@
 #include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/data_out_base.h>
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/utilities.h>
+#include <deal.II/grid/reference_cell.h>
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/data_component_interpretation.h>
 #include <deal.II/numerics/data_out.h>
@@ -107,6 +109,41 @@ namespace lumbricus
                           stand_in_for(fields.cell_arrays()[i].name));
       }
 
+      // Behind the patches of the mesh.
+      void
+      append(const std::vector<FillingCell> &cells)
+      {
+        for (const FillingCell &cell : cells)
+          {
+            constexpr unsigned int          n = MixedSpace::n_nodes;
+            dealii::DataOutBase::Patch<dim> patch;
+            // In rows of three: corners are the first and the last ones.
+            for (const unsigned int v :
+                 dealii::GeometryInfo<dim>::vertex_indices())
+              patch.vertices[v] =
+                cell.X[2 * (v % 2) + 6 * (v / 2 % 2) + 18 * (v / 4)];
+            patch.reference_cell =
+              dealii::ReferenceCells::get_hypercube<dim>();
+            patch.patch_index          = patches.size();
+            patch.n_subdivisions       = MixedSpace::degree;
+            patch.points_are_available = true;
+
+            const unsigned int n_nodal = cell.nodal.size() / n;
+            patch.data.reinit(n_nodal + cell.per_cell.size() + dim, n);
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                unsigned int row = 0;
+                for (unsigned int c = 0; c < n_nodal; ++c)
+                  patch.data(row++, i) = cell.nodal[c * n + i];
+                for (const double value : cell.per_cell)
+                  patch.data(row++, i) = value;
+                for (unsigned int d = 0; d < dim; ++d)
+                  patch.data(row++, i) = cell.X[i][d];
+              }
+            patches.push_back(patch);
+          }
+      }
+
     protected:
       std::vector<std::string>
       get_dataset_names() const override
@@ -155,7 +192,8 @@ namespace lumbricus
   /**
    * VTU files for ParaView: for every time one per rank and a PVTU that joins
    * them, and solution.pvd over all times. The geometry is the reference
-   * configuration; warp by the displacement.
+   * configuration; warp by the displacement. Chambers without cells are filled
+   * with cells.
    */
   class Vtu : public OutputFormat
   {
@@ -243,6 +281,7 @@ namespace lumbricus
     data_out.build_patches(space.mapping,
                            MixedSpace::degree,
                            dealii::DataOut<dim>::curved_inner_cells);
+    data_out.append(fields.filling_cells());
 
     const unsigned int       number = times_and_names.size();
     const std::string        whole  = file_name(number);
