@@ -2,7 +2,7 @@
 """Run the program from a test and read what it leaves.
 
 The program and mpirun come from the environment variables LUMBRICUS and
-MPIRUN, which ctest sets.
+MPIRUN, which ctest sets; runs are those of the loaded_program().
 """
 import contextlib
 import csv
@@ -10,6 +10,8 @@ import os
 import pathlib
 import re
 import subprocess
+
+from loaded_program import loaded_program
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
 
@@ -58,7 +60,7 @@ def run(parameter_file, folder, settings=(), ranks=1, options=(),
     without mpirun, which takes longer to start than the program."""
     mpirun = [os.environ.get("MPIRUN", "mpirun"), "-np", str(ranks)]
     command = [*(mpirun if ranks > 1 else []),
-               os.environ["LUMBRICUS"], str(parameter_file),
+               loaded_program(), str(parameter_file),
                "--output", str(folder), *options]
     for setting in settings:
         command += ["--set", setting]
@@ -74,15 +76,20 @@ def run_well(*arguments, **keywords):
     return result
 
 
-def go_on(folder, settings=(), ranks=1, timeout=900):
-    """Let a run go on from its last checkpoint, which has to go well."""
+def restart(folder, settings=(), ranks=1, timeout=900):
+    """Let a run go on from its last checkpoint."""
     mpirun = [os.environ.get("MPIRUN", "mpirun"), "-np", str(ranks)]
-    command = [*(mpirun if ranks > 1 else []), os.environ["LUMBRICUS"],
+    command = [*(mpirun if ranks > 1 else []), loaded_program(),
                "--restart", str(folder)]
     for setting in settings:
         command += ["--set", setting]
-    result = Run(subprocess.run(command, capture_output=True, text=True,
-                                timeout=timeout), folder)
+    return Run(subprocess.run(command, capture_output=True, text=True,
+                              timeout=timeout), folder)
+
+
+def go_on(folder, settings=(), ranks=1, timeout=900):
+    """The same, which has to go well."""
+    result = restart(folder, settings, ranks, timeout)
     assert result.exit_code == 0, result.log + result.message
     return result
 

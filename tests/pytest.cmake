@@ -6,7 +6,7 @@ function(add_pytest kind name)
       ${PROJECT_SOURCE_DIR}/tests/${kind}/${name}.py)
   set_tests_properties(${kind}/${name} PROPERTIES
     LABELS "${kind};${ARGN}" TIMEOUT 1200
-    ENVIRONMENT "LUMBRICUS=$<TARGET_FILE:lumbricus>;MPIRUN=${LUMBRICUS_MPIRUN};PYTHONPATH=${PROJECT_SOURCE_DIR}/tests;PYTHONDONTWRITEBYTECODE=1;${LUMBRICUS_TEST_ENVIRONMENT}")
+    ENVIRONMENT "LUMBRICUS=$<TARGET_FILE:lumbricus>;LOADED=$<TARGET_FILE:loaded>;STARTER=$<TARGET_FILE:starter>;MPIRUN=${LUMBRICUS_MPIRUN};PYTHONPATH=${PROJECT_SOURCE_DIR}/tests;PYTHONDONTWRITEBYTECODE=1;${LUMBRICUS_TEST_ENVIRONMENT}")
 endfunction()
 
 # take_two_cores(<kind>/<name>...): tests that are to have no other one beside

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/liquid_weight.h>
-#include <lumbricus/measures/cavity_measures.h>
+#include <lumbricus/measures/cavity_volume.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <array>
+#include <string>
 
 namespace lumbricus
 {
@@ -53,10 +55,30 @@ namespace lumbricus
       if (all[s][0] > 0.)
         {
           of_segment[s].density = density(s);
+          check_pistons(s);
           of_segment[s].volume  = all[s][0];
           for (unsigned int c = 0; c < dim; ++c)
             of_segment[s].centre[c] = all[s][1 + c] / all[s][0];
         }
+  }
+
+
+
+  void
+  LiquidWeight::check_pistons(const unsigned int segment) const
+  {
+    for (const CavityWall &wall : body.anatomy.geometry().cavities())
+      for (unsigned int i = 0; i < forces.n_forces(); ++i)
+        AssertThrow(wall.segment != segment || wall.pistons.empty() ||
+                      of_segment[segment].density == 0. ||
+                      gravity(i, 1.).norm() == 0.,
+                    ExcInput("The liquid between pistons in segment " +
+                             std::to_string(segment + 1) +
+                             " cannot have weight, as the body force '" +
+                             forces.force(i).name +
+                             "' gives it: the pistons have no points that it "
+                             "could press. Set its 'Density' in the section "
+                             "Cavities to 0, or let it have cells."));
   }
 
 
@@ -222,22 +244,24 @@ namespace lumbricus
               add(cell.region.segment, dv * x, dv);
             }
         }
-    // int x_c dv = 1/2 int x_c^2 n_c da: planes of symmetry through the origin
-    // give nothing.
+    // int x_c dv = 1/2 int x_c^2 n_c da: planes of symmetry, which have the
+    // origin in them, give nothing.
+    const auto walls = body.anatomy.geometry().cavities();
     cavities.for_each(body, [&](const OwnedCell   &cell,
                                 const unsigned int f,
-                                const unsigned int /*cavity*/) {
+                                const unsigned int k) {
       read(cell);
       surface.reinit(cell.iterator, f);
       for (unsigned int q = 0; q < surface.n_points(); ++q)
         {
           surface.set(q, kernel.u);
-          const auto             x  = surface.X + surface.u;
-          const auto             dA = area_out_of_cavity(surface);
+          const auto   x  = surface.X + surface.u - walls[k].origin;
+          const auto   dA = area_out_of_cavity(surface);
+          const double dv = volume_in_cavity(surface, walls[k]);
           dealii::Tensor<1, dim> first;
           for (unsigned int c = 0; c < dim; ++c)
-            first[c] = 0.5 * x[c] * x[c] * dA[c];
-          add(cell.region.segment, first, volume_in_cavity(surface));
+            first[c] = 0.5 * x[c] * x[c] * dA[c] + walls[k].origin[c] * dv;
+          add(cell.region.segment, first, dv);
         }
     });
     dealii::Utilities::MPI::sum(sums, body.space.communicator(), sums);

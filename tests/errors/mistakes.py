@@ -6,10 +6,10 @@ A mistake is a tuple that begins with its name and ends with the words that the
 message has to contain."""
 import concurrent.futures
 import os
-import pathlib
 import subprocess
 import tempfile
 
+from loaded_program import loaded_program
 from lumbricus_run import Run, run
 
 # What no user should have to read.
@@ -32,33 +32,18 @@ def names(cases):
 
 
 class ManyRuns:
-    """Runs of the program on one rank by many_runs, which loads it once; where
-    there is none (MANY_RUNS in the environment), as usual."""
+    """Runs on one rank with a folder for temporary files of their own, since two
+    of these run side by side: see ../conftest.py."""
 
     def __init__(self):
-        self.process = None
-        self.said = tempfile.TemporaryDirectory()
+        self.temporary = tempfile.TemporaryDirectory(prefix="t", dir="/tmp")
 
     def call(self, *arguments, folder=None):
         """As subprocess.run() does."""
-        if "MANY_RUNS" not in os.environ:
-            return subprocess.run(
-                [os.environ["LUMBRICUS"], *map(str, arguments)],
-                capture_output=True, text=True, timeout=60, cwd=folder)
-        if self.process is None:
-            # Two of these run side by side: see ../conftest.py.
-            self.process = subprocess.Popen(
-                [os.environ["MANY_RUNS"]], stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                env=dict(os.environ, TMPDIR=self.said.name))
-        files = [pathlib.Path(self.said.name) / name for name in "oe"]
-        texts = [folder or os.getcwd(), *files, *arguments]
-        self.process.stdin.write(f"{len(texts)}\n".encode() + b"".join(
-            os.fsencode(text) + b"\0" for text in texts))
-        self.process.stdin.flush()
-        exit_code = int(self.process.stdout.readline())
-        return subprocess.CompletedProcess(
-            arguments, exit_code, *(file.read_text() for file in files))
+        return subprocess.run(
+            [loaded_program(), *map(str, arguments)], stdin=subprocess.DEVNULL,
+            capture_output=True, text=True, timeout=120, cwd=folder,
+            env=dict(os.environ, TMPDIR=self.temporary.name))
 
     def run(self, parameter_file, folder, settings=(), ranks=1, options=()):
         """As lumbricus_run.run() does."""
@@ -77,6 +62,7 @@ def run_all(start, cases, base):
         return [start(*cases[i], base / str(i), runs.run)
                 for i in range(first, len(cases), 2)]
 
+    loaded_program() # Once, and not by both.
     results = [None] * len(cases)
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         results[0::2], results[1::2] = pool.map(some, (0, 1))

@@ -9,6 +9,9 @@ import time
 import pytest
 from lumbricus_run import children_of, run_well
 
+# Here it is the program itself that starts.
+os.environ.pop("LOADED", None)
+
 HERE = pathlib.Path(__file__).resolve().parent
 BLOCK = HERE / "block.prm"
 

@@ -7,7 +7,7 @@ import signal
 import subprocess
 import time
 
-from lumbricus_run import Run, children_of
+from lumbricus_run import Run, children_of, run
 
 HERE = pathlib.Path(__file__).resolve().parent
 CASE = HERE / "short.prm"
@@ -34,17 +34,7 @@ def finish(process, folder):
 
 def fresh(folder, ranks, settings=()):
     """Run the case from its beginning to its end."""
-    arguments = [CASE, "--output", folder]
-    for setting in settings:
-        arguments += ["--set", setting]
-    return finish(start(ranks, *arguments), folder)
-
-
-def restart(folder, ranks, settings=()):
-    arguments = ["--restart", folder]
-    for setting in settings:
-        arguments += ["--set", setting]
-    return finish(start(ranks, *arguments), folder)
+    return run(CASE, folder, settings, ranks)
 
 
 def ranks_of(process):

@@ -3,10 +3,9 @@
 and the run comes to the same end, also when it goes on from a checkpoint, which
 has the numbers of the continuation."""
 import os
-import subprocess
 
 import pytest
-from lumbricus_run import SOURCE, go_on, run, run_well
+from lumbricus_run import SOURCE, go_on, restart, run, run_well
 
 BLOCK = SOURCE / "tests" / "errors" / "block.prm"
 HALVES = [f"Additional shared libraries={os.environ['HALVES']}",
@@ -43,7 +42,7 @@ def test_the_same_end(ranks, whole, tmp_path):
 
 
 @pytest.mark.parametrize("before, after", [(1, 1), (1, 2), (2, 1)])
-def test_restart(before, after, whole, tmp_path):
+def test_it_goes_on(before, after, whole, tmp_path):
     # So long that it ends where the second step does.
     first = run_well(BLOCK, tmp_path, [*HALVES, *SETTINGS, "Time/End=0.225"],
                      ranks=before)
@@ -68,12 +67,10 @@ def test_numbers_that_cannot_be(tmp_path):
     run_well(BLOCK, tmp_path, [*HALVES, *SETTINGS, "Time/End=0.1",
                                "Path/in halves/Growth=0"])
     log = (tmp_path / "log.txt").read_bytes()
-    command = [os.environ["LUMBRICUS"], "--restart", tmp_path, "--set",
-               "Time/End=1"]
-    process = subprocess.run(command, capture_output=True, text=True, timeout=60)
-    assert process.returncode == 1, process.stdout
+    result = restart(tmp_path, ["Time/End=1"])
+    assert result.exit_code == 1, result.log
     assert "numbers that 'Path/Control' = 'in halves' cannot go on with" in \
-        " ".join(process.stderr.split())
+        result.said()
     assert (tmp_path / "log.txt").read_bytes() == log
 
 

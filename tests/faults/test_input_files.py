@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 import pytest
+from loaded_program import loaded_program
 from lumbricus_run import SOURCE, Run
 
 sys.path.insert(0, str(SOURCE / "tests" / "errors"))
@@ -139,7 +140,7 @@ def test_on_two_ranks(study, tmp_path):
     try:
         process = subprocess.run(
             [os.environ.get("MPIRUN", "mpirun"), "-np", "2",
-             os.environ["LUMBRICUS"], "--restart", "run", "--set",
+             loaded_program(), "--restart", "run", "--set",
              "Time/End=1"], cwd=folder, capture_output=True, text=True,
             timeout=60)
         assert process.returncode == 1, process.stdout

@@ -9,7 +9,8 @@ import zlib
 
 import pytest
 from faults import (CASE, checkpoints, differences, fresh, kill_all, ranks_of,
-                    restart, start, wait_for_step)
+                    start, wait_for_step)
+from lumbricus_run import restart
 
 # On the same number of ranks, and on another.
 SAME, OTHER = 1e-12, 1e-9
@@ -37,7 +38,7 @@ def killed_at(folder, ranks, step, settings=()):
 @pytest.mark.parametrize("before, after", [(1, 1), (2, 2), (1, 2), (2, 1)])
 def test_same_numbers(tmp_path, reference, before, after):
     killed_at(tmp_path, before, 4)
-    run = restart(tmp_path, after)
+    run = restart(tmp_path, ranks=after)
     assert run.exit_code == 0, run.message
     assert "Going on from time" in run.log
     assert differences(run, reference[before]) < \
@@ -70,7 +71,7 @@ def test_a_signal_writes_a_checkpoint(tmp_path, reference, sent):
     assert process.returncode == 4, out + err
     assert sent.name in err and f"--restart '{tmp_path}'" in err
     assert len(checkpoints(tmp_path)) == 1
-    run = restart(tmp_path, 2)
+    run = restart(tmp_path, ranks=2)
     assert run.exit_code == 0, run.message
     assert differences(run, reference[2]) < OTHER
 
@@ -79,7 +80,7 @@ def test_longer_at_a_restart(tmp_path, reference):
     """The end of a run is a checkpoint: it can be made longer."""
     half = fresh(tmp_path, 1, ["Time/End=0.5"])
     assert half.exit_code == 0
-    run = restart(tmp_path, 1, ["Time/End=1"])
+    run = restart(tmp_path, ["Time/End=1"])
     assert run.exit_code == 0, run.message
     assert differences(run, reference[1]) < SAME
 
@@ -92,7 +93,7 @@ def test_what_cannot_change_is_refused_by_name(tmp_path_factory, setting):
     folder = tmp_path_factory.getbasetemp() / "short"
     if not folder.exists():
         assert fresh(folder, 1, ["Time/End=0.1"]).exit_code == 0
-    run = restart(folder, 1, [setting])
+    run = restart(folder, [setting])
     assert run.exit_code == 1
     assert setting in run.message and "restart" in run.message
 
@@ -123,7 +124,7 @@ def test_a_damaged_checkpoint_is_left_out(tmp_path, reference, three_steps,
                                           name, how):
     folder = shutil.copytree(three_steps, tmp_path / "run")
     damage(folder / "checkpoints" / "000003" / name, how)
-    run = restart(folder, 2, ["Time/End=0.4"])
+    run = restart(folder, ["Time/End=0.4"], 2)
     assert run.exit_code == 0, run.message
     assert "000003' cannot be used" in run.log
     assert "after step 2" in run.log
@@ -158,7 +159,7 @@ def test_a_checkpoint_of_another_version(tmp_path, three_steps):
     """The log names the other version, and the run goes on."""
     folder = shutil.copytree(three_steps, tmp_path / "run")
     rewrite(folder, "MANIFEST", of_another_version)
-    run = restart(folder, 2, ["Time/End=0.4"])
+    run = restart(folder, ["Time/End=0.4"], 2)
     assert run.exit_code == 0, run.message
     assert "written by version 99.9" in run.log
 
@@ -169,7 +170,7 @@ def test_a_checkpoint_with_what_is_not_known_yet(ranks, tmp_path, three_steps):
     folder = shutil.copytree(three_steps, tmp_path / "run")
     rewrite(folder, "MANIFEST", of_another_version)
     rewrite(folder, "progress", lambda text: text + b"temperature 300\n")
-    run = restart(folder, ranks, ["Time/End=0.4"])
+    run = restart(folder, ["Time/End=0.4"], ranks)
     assert run.exit_code == 1, run.message
     message = run.said()
     assert "000003' cannot be used: it is of version 99.9 and has " \
@@ -183,7 +184,7 @@ def test_a_checkpoint_of_another_mesh(tmp_path, three_steps):
     folder = shutil.copytree(three_steps, tmp_path / "run")
     rewrite(folder, "parameters.prm", lambda text: text.replace(
         b"set Number of segments ", b"set Cap thickness = 0.3 # "))
-    run = restart(folder, 2, ["Time/End=0.4"])
+    run = restart(folder, ["Time/End=0.4"], 2)
     assert run.exit_code == 1, run.message
     message = run.said()
     assert "000003' is of " in message and "but the mesh of its parameters " \
@@ -192,7 +193,7 @@ def test_a_checkpoint_of_another_mesh(tmp_path, three_steps):
 
 
 def test_nothing_to_go_on_from(tmp_path):
-    run = restart(tmp_path, 1)
+    run = restart(tmp_path)
     assert run.exit_code == 1
     assert "no checkpoint" in run.message and str(tmp_path) in run.message
 
@@ -200,7 +201,7 @@ def test_nothing_to_go_on_from(tmp_path):
 def test_a_table_that_is_gone(tmp_path):
     assert fresh(tmp_path, 1, ["Time/End=0.1"]).exit_code == 0
     (tmp_path / "segments.csv").unlink()
-    run = restart(tmp_path, 1, ["Time/End=0.2"])
+    run = restart(tmp_path, ["Time/End=0.2"])
     assert run.exit_code == 1
     message = run.said()
     assert f"'{tmp_path}/segments.csv' is shorter than it was at the " \

@@ -13,7 +13,8 @@ import time
 
 import pytest
 from faults import checkpoints, ranks_of
-from lumbricus_run import SOURCE, Run
+from loaded_program import QUICK_START
+from lumbricus_run import SOURCE, restart
 
 BLOCK = SOURCE / "tests" / "errors" / "block.prm"
 # So many steps, or one so long, that a signal comes in between.
@@ -28,17 +29,11 @@ def start(folder, settings, options=(), mpirun=(), **keywords):
     for setting in settings:
         command += ["--set", setting]
     keywords.setdefault("stdout", subprocess.PIPE)
+    # With all that Open MPI starts beside a program, as for users.
+    environment = {name: value for name, value in os.environ.items()
+                   if name not in QUICK_START}
     return subprocess.Popen(command, stderr=subprocess.PIPE, text=True,
-                            start_new_session=True, **keywords)
-
-
-def restart(folder, settings=()):
-    command = [os.environ["LUMBRICUS"], "--restart", folder]
-    for setting in settings:
-        command += ["--set", setting]
-    process = subprocess.run(command, capture_output=True, text=True,
-                             timeout=120)
-    return Run(process, folder)
+                            start_new_session=True, env=environment, **keywords)
 
 
 def wait_for(condition, process, timeout=60):

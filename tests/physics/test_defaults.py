@@ -4,12 +4,12 @@
 The default shape did not: the liquid of a chain, and of a cylinder, had by
 default the stiffness of the wall, which is refused. All shapes that the program
 lists are tried, also those that will come."""
-import os
 import re
 import subprocess
 
 import pytest
 from cube_mesh import Mesh
+from loaded_program import loaded_program
 from lumbricus_run import run_well
 
 # What a shape cannot do without.
@@ -23,7 +23,7 @@ def shapes():
     """The names in what the program says of the parameter 'Shape', and its
     default."""
     reference = subprocess.run(
-        [os.environ["LUMBRICUS"], "--parameters"], capture_output=True,
+        [loaded_program(), "--parameters"], capture_output=True,
         text=True, check=True, timeout=60).stdout
     words = " ".join(re.search(
         r"subsection Geometry\n((?: *#.*\n)+) *set Shape", reference)[1]

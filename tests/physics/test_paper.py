@@ -1,16 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The paper's own experiments on coarse meshes, against the paper, closed forms
 and the homogeneous solution, which do not use the program."""
+import os
 import pathlib
 import sys
 
 import pytest
+from loaded_program import loaded_program
 from lumbricus_run import SOURCE, run_well
 
 CASES = SOURCE / "parameters" / "paper"
 sys.path.insert(0, str(CASES))
 
 import experiments  # noqa: E402
+
+# What the experiments call.
+os.environ["LUMBRICUS"] = loaded_program()
 
 
 @pytest.fixture(scope="module", params=[1, 2])

@@ -10,6 +10,7 @@ import time
 
 import pytest
 
+from loaded_program import loaded_program
 from lumbricus_run import SOURCE, Run, go_on, outline, run, run_well
 
 sys.path.insert(0, str(SOURCE / "scripts"))
@@ -95,7 +96,7 @@ def test_how_it_went(chain):
 
 def reference():
     """(default, unit, meaning) of all parameters there are, by path."""
-    said = subprocess.run([os.environ["LUMBRICUS"], "--parameters"], text=True,
+    said = subprocess.run([loaded_program(), "--parameters"], text=True,
                           capture_output=True, check=True, timeout=60).stdout
     found = {}
     for section, _, entries in parse(said):
@@ -252,8 +253,7 @@ def test_parameters_run_the_run_again(ranks, tmp_path):
     def call(folder, *arguments):
         mpirun = [os.environ.get("MPIRUN", "mpirun"), "-np", str(ranks)]
         process = subprocess.run(
-            [*(mpirun if ranks > 1 else []), os.environ["LUMBRICUS"],
-             *arguments], cwd=folder, capture_output=True, text=True,
+            [*(mpirun if ranks > 1 else []), loaded_program(), *arguments], cwd=folder, capture_output=True, text=True,
             timeout=120)
         assert process.returncode == 0, process.stdout + process.stderr
 

@@ -51,7 +51,7 @@ namespace lumbricus
                  const BodyForces &forces,
                  const Density    &density);
 
-    /** After every change of the mesh. Collective. */
+    /** After every change of the mesh. Throws ExcInput. Collective. */
     void
     reinit();
 
@@ -117,6 +117,11 @@ namespace lumbricus
       unsigned int segment;
       double       sign;
     };
+
+    /** Throws ExcInput where the chamber of @p segment ends at pistons and has a
+     * weight. */
+    void
+    check_pistons(const unsigned int segment) const;
 
     Side
     side(const OwnedCell &cell, const unsigned int f) const;
