@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/discretization/closed_surface.h>
+#include "closed_surface.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/nodal_history.h>
-#include <lumbricus/discretization/closed_surface.h>
 #include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/discretization/surface_terms.h>
 
@@ -9,6 +8,8 @@
 
 #include <algorithm>
 #include <utility>
+
+#include "closed_surface.h"
 
 namespace lumbricus
 {

@@ -129,6 +129,7 @@ namespace lumbricus
 
   void
   visit_cavity_points(const Body                              &body,
+                      const LiquidWeight                      &weight,
                       const State                             &state,
                       const std::function<void(FieldPoint &)> &visit)
   {
@@ -164,9 +165,7 @@ namespace lumbricus
       point.segment     = walls[k].segment + 1;
       point.J           = volumes[k] / volumes_at_rest[k];
       point.F           = std::cbrt(point.J) * unit;
-      point.pressure         = P;
       point.pressure_unknown = -P;
-      point.sigma            = -P * unit;
 
       kernel.read(space, cell.iterator, relevant, indices);
       const auto nodes = nodes_of_face(space, face);
@@ -187,6 +186,9 @@ namespace lumbricus
           const double part = 0.5 * (point.q / n_face_nodes);
           point.X           = dealii::Point<dim>(X + part * (to.X - X));
           point.u           = u + part * (to.u - u);
+          point.pressure =
+            P + weight.excess(walls[k].segment, point.X + point.u);
+          point.sigma = -point.pressure * unit;
           visit(point);
         }
     });

@@ -25,11 +25,12 @@ namespace lumbricus
    *
    * Call @p visit at the 27 nodes of each such cell of this rank, which FieldPoint::q
    * counts as (x fastest) deal.II does. FieldPoint::cell is the cell behind the
-   * face, J the volume of the whole chamber over that at rest, and sigma = -P I.
-   * Collective.
+   * face, J the volume of the whole chamber over that at rest, and sigma = -p I with the pressure p
+   * there. Collective.
    */
   void
   visit_cavity_points(const Body                              &body,
+                      const LiquidWeight                      &weight,
                       const State                             &state,
                       const std::function<void(FieldPoint &)> &visit);
 } // namespace lumbricus

@@ -30,9 +30,11 @@ namespace lumbricus
 
   CellFields::CellFields(const Body                    &body,
                          const ReferenceField          &references,
+                         const LiquidWeight            &weight,
                          const std::vector<FieldArray> &arrays)
     : body(body)
     , references(references)
+    , weight(weight)
     , fields_dof_handler(body.space.triangulation)
   {
     for (const FieldArray &array : arrays)
@@ -88,7 +90,7 @@ namespace lumbricus
           field_values(indices[k]) = value;
         }
     };
-    visit_points(body, references, state, [&](FieldPoint &point) {
+    visit_points(body, references, weight, state, [&](FieldPoint &point) {
       get_nodal(point, values[point.q].data());
       if (point.q + 1 == n_q)
         finish_cell(point);
@@ -105,7 +107,7 @@ namespace lumbricus
     constexpr unsigned int n_nodes = MixedSpace::n_nodes;
     filling.clear();
     std::vector<double> values(fe->n_components());
-    visit_cavity_points(body, state, [&](FieldPoint &point) {
+    visit_cavity_points(body, weight, state, [&](FieldPoint &point) {
       if (point.q == 0)
         {
           filling.emplace_back();

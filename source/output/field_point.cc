@@ -23,6 +23,7 @@ namespace lumbricus
   void
   visit_points(const Body                              &body,
                const ReferenceField                    &references,
+               const LiquidWeight                      &weight,
                const State                             &state,
                const std::function<void(FieldPoint &)> &visit)
   {
@@ -66,7 +67,11 @@ namespace lumbricus
                                      *point.reference,
                                      false,
                                      response);
-            point.sigma    = cauchy_stress(response.P, point.F);
+            point.sigma = cauchy_stress(response.P, point.F);
+            if (point.is_liquid)
+              point.sigma -=
+                weight.excess(cell.region.segment, point.X + point.u) *
+                dealii::unit_symmetric_tensor<dim, double>();
             point.pressure = -trace(point.sigma) / dim;
             visit(point);
           }

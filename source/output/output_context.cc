@@ -7,11 +7,13 @@ namespace lumbricus
                                const StepRecord     &step,
                                const Body           &body,
                                const ReferenceField &references,
+                               const LiquidWeight   &weight,
                                CellFields           &cell_fields)
     : state(state)
     , step(step)
     , body(body)
     , references(references)
+    , weight(weight)
     , cell_fields(cell_fields)
   {}
 
@@ -32,6 +34,6 @@ namespace lumbricus
   OutputContext::visit_points(
     const std::function<void(const FieldPoint &)> &visit) const
   {
-    lumbricus::visit_points(body, references, state, visit);
+    lumbricus::visit_points(body, references, weight, state, visit);
   }
 } // namespace lumbricus

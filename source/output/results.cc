@@ -6,13 +6,15 @@ namespace lumbricus
   Results::Results(RunFolder            &folder,
                    const Body           &body,
                    const ReferenceField &references,
+                   const LiquidWeight   &weight,
                    OutputParts          &parts,
                    const unsigned int    pictures_every)
     : body(body)
     , references(references)
+    , weight(weight)
     , parts(parts)
     , pictures_every(pictures_every)
-    , cell_fields(body, references, parts.field_arrays())
+    , cell_fields(body, references, weight, parts.field_arrays())
   {
     for (const auto &[name, table] : parts.tables())
       tables.push_back({table,
@@ -39,7 +41,8 @@ namespace lumbricus
   void
   Results::write(const State &state, const StepRecord &step)
   {
-    const OutputContext context(state, step, body, references, cell_fields);
+    const OutputContext context(
+      state, step, body, references, weight, cell_fields);
     for (const TableOnDisk &entry : tables)
       {
         entry.table->write(entry.file->rows(), context);

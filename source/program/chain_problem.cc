@@ -78,6 +78,7 @@ namespace lumbricus
     results = std::make_unique<Results>(folder,
                                         model.body,
                                         model.references,
+                                        model.liquid_weight,
                                         parameters.output_parts,
                                         parameters.output_every);
   }
@@ -90,6 +91,7 @@ namespace lumbricus
     if (checkpoint != nullptr)
       go_on_from(*checkpoint);
     model.references.update(first_state);
+    model.liquid_weight.set_time(first_state.time);
     if (checkpoint == nullptr)
       results->write(first_state, first_step);
   }
@@ -138,6 +140,7 @@ namespace lumbricus
 
     // The last good state is what the run leaves.
     model.references.update(state);
+    model.liquid_weight.set_time(state.time);
     results->write_last(state);
     if (parameters.checkpoint_schedule.any())
       save_or_say(save);

@@ -107,6 +107,7 @@ namespace lumbricus
       const Adaptivity &adaptivity = model.parameters.adaptivity;
       CellFields        fields(model.body,
                         model.references,
+                        model.liquid_weight,
                         model.parameters.output_parts.field_arrays(
                           fields_for_estimate()));
       fields.reinit();

@@ -4,9 +4,14 @@ supports hold, how the pressure grows downwards, and that it leaves the liquid's
 mesh alone."""
 import csv
 import pathlib
+import sys
 
+import numpy as np
 import pytest
-from lumbricus_run import run_well
+from lumbricus_run import SOURCE, run_well
+
+sys.path.insert(0, str(SOURCE / "scripts"))
+from lumbricus_plot.fields import read_grid, read_series  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
 CHAIN = HERE / "chain.prm"
@@ -97,6 +102,24 @@ def test_pressure_grows_downwards(tmp_path):
         rows[1]["length"] + 0.1
     assert P[2] - P[0] == pytest.approx(RHO_LIQUID * g * t * distance, rel=0.01)
     assert P[2] - P[0] > 1e-3
+
+
+@pytest.mark.parametrize("liquid", ["cavity", "meshed"])
+def test_pictures_show_the_gradient(tmp_path, liquid):
+    """In the liquid the pressure of the pictures grows by rho g downwards: also
+    where the mesh, whose own pressure is uniform, has moved."""
+    g = HEAVY * G
+    run = run_well(CHAIN, tmp_path, [
+        *heavy(f"0; 0; -{g}*t"), "Time/End=0.1",
+        f"Geometry/segment chain/Liquid={liquid}", "Output/Every=1"])
+    grid = read_grid(read_series(run.folder)[-1][1])
+    inside = (grid["segment"] == 2) & \
+        (grid["tissue"] == {"cavity": 4, "meshed": 0}[liquid])
+    z = (grid.points + grid["displacement"])[inside, 2]
+    p = grid["pressure"][inside]
+    slope, at_0 = np.polyfit(z, p, 1)
+    assert slope == pytest.approx(-RHO_LIQUID * g * 0.1, rel=1e-3)
+    assert abs(p - at_0 - slope * z).max() < 2e-3 * (p.max() - p.min())
 
 
 def test_weightless_liquid_is_that_of_before(tmp_path):

@@ -292,6 +292,9 @@ end
 
   TEST_P(Tangents, AllLinearSolversAgree)
   {
+    // A matrix like that of pressure_between.
+    if (GetParam() == pressure_around)
+      return;
     const Vector     b      = body.free_part(body.random(1., 6));
     const auto       direct = Registry<LinearSolver>::create("direct");
     direct->reinit(tangent());

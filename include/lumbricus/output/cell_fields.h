@@ -51,6 +51,7 @@ namespace lumbricus
      * All of these are kept by reference, but for the list of arrays. */
     CellFields(const Body                    &body,
                const ReferenceField          &references,
+               const LiquidWeight            &weight,
                const std::vector<FieldArray> &arrays);
 
     /** After every change of the mesh. Collective. */
@@ -104,6 +105,7 @@ namespace lumbricus
     get_nodal(FieldPoint &point, double *next) const;
 
     const ReferenceField &references;
+    const LiquidWeight   &weight;
 
     std::vector<FieldArray> nodal;
     std::vector<FieldArray> per_cell;

@@ -2,6 +2,7 @@
 #ifndef lumbricus_output_field_point_h
 #define lumbricus_output_field_point_h
 
+#include <lumbricus/discretization/liquid_weight.h>
 #include <lumbricus/discretization/reference_field.h>
 
 #include <deal.II/base/point.h>
@@ -58,11 +59,12 @@ namespace lumbricus
   /**
    * Call @p visit at the quadrature points of all cells that this rank owns, in
    * the order of the cells: sums over them need a sum over the ranks. The
-   * references have to be those of @p state. Collective.
+   * references and the weight have to be those of @p state. Collective.
    */
   void
   visit_points(const Body                              &body,
                const ReferenceField                    &references,
+               const LiquidWeight                      &weight,
                const State                             &state,
                const std::function<void(FieldPoint &)> &visit);
 } // namespace lumbricus

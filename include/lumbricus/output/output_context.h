@@ -19,12 +19,14 @@ namespace lumbricus
                   const StepRecord     &step,
                   const Body           &body,
                   const ReferenceField &references,
+                  const LiquidWeight   &weight,
                   CellFields           &cell_fields);
 
     const State          &state;      ///< that has converged
     const StepRecord     &step;       ///< what the load step took
     const Body            body;       ///< mesh, unknowns, tissues
     const ReferenceField &references; ///< of this state
+    const LiquidWeight   &weight;     ///< at its time
 
     /** All fields at this state; computed when they are first asked for.
      * Collective. */

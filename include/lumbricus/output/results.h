@@ -27,6 +27,7 @@ namespace lumbricus
     Results(RunFolder            &folder,
             const Body           &body,
             const ReferenceField &references,
+            const LiquidWeight   &weight,
             OutputParts          &parts,
             const unsigned int    pictures_every);
 
@@ -62,6 +63,7 @@ namespace lumbricus
 
     const Body               body;
     const ReferenceField    &references;
+    const LiquidWeight      &weight;
     OutputParts             &parts;
     const unsigned int       pictures_every;
     std::vector<TableOnDisk> tables;
