@@ -37,8 +37,9 @@ namespace lumbricus
     {
       const SymmetricTensor<2, dim> I =
         dealii::unit_symmetric_tensor<dim, double>();
-      const SymmetricTensor<4, dim> S  = dealii::identity_tensor<dim, double>();
-      const SymmetricTensor<4, dim> II = dealii::outer_product(I, I);
+      static const SymmetricTensor<4, dim> S =
+        dealii::identity_tensor<dim, double>();
+      static const SymmetricTensor<4, dim> II = dealii::outer_product(I, I);
 
       // P:cbar:P = cbar - 1/3 (I x m + m x I) + 1/9 tr(m) I x I, m = cbar:I.
       const SymmetricTensor<2, dim> m = cbar * I;
@@ -47,7 +48,14 @@ namespace lumbricus
       SymmetricTensor<4, dim> c = cbar;
       c += 2. / 3. * trace(taubar) * S;
       c += (trace(m) / 9. - 2. / 9. * trace(taubar)) * II;
-      c -= dealii::outer_product(I, n) + dealii::outer_product(n, I);
+      // I x n + n x I: most of it is zeros.
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int k = 0; k < dim; ++k)
+          for (unsigned int l = k; l < dim; ++l)
+            {
+              c[i][i][k][l] -= n[k][l];
+              c[k][l][i][i] -= n[k][l];
+            }
       return J_v * c + p_J * (II - 2. * S);
     }
   } // namespace
