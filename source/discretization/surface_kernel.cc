@@ -32,6 +32,11 @@ namespace lumbricus
     const unsigned int                                   face)
   {
     face_values.reinit(mesh_cell(cell), face);
+    unsigned int k = 0;
+    for (unsigned int n = 0; n < n_nodes; ++n)
+      if (space.fe.has_support_on_face(space.displacement_dof[0][n], face))
+        face_nodes[k++] = n;
+    AssertDimension(k, face_nodes.size());
   }
 
 

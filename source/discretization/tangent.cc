@@ -52,12 +52,8 @@ namespace lumbricus
   Tangent::vmult_cell(const unsigned int i, const double *x, double *y) const
   {
     cells[i].vmult(shapes.cell(i), shapes.pressure_modes(), x, y);
-    if (of_surface_cell[i] < 0)
-      return;
-    const double *S = surface_matrices[of_surface_cell[i]].data();
-    for (unsigned int r = 0; r < n_per_cell; ++r)
-      for (unsigned int s = 0; s < n_per_cell; ++s)
-        y[r] += S[r * n_per_cell + s] * x[s];
+    if (of_surface_cell[i] >= 0)
+      surface_matrices[of_surface_cell[i]].vmult_add(x, y);
   }
 
 
@@ -66,11 +62,8 @@ namespace lumbricus
   Tangent::cell_matrix(const unsigned int i, std::vector<double> &K) const
   {
     cells[i].matrix(shapes.cell(i), shapes.pressure_modes(), K);
-    if (of_surface_cell[i] < 0)
-      return;
-    const std::vector<double> &S = surface_matrices[of_surface_cell[i]];
-    for (unsigned int k = 0; k < K.size(); ++k)
-      K[k] += S[k];
+    if (of_surface_cell[i] >= 0)
+      surface_matrices[of_surface_cell[i]].add_to(K);
   }
 
 
@@ -117,8 +110,8 @@ namespace lumbricus
     if (of_surface_cell[i] < 0)
       {
         of_surface_cell[i] = surface_matrices.size();
-        surface_matrices.emplace_back(n_per_cell * n_per_cell, 0.);
+        surface_matrices.emplace_back();
       }
-    return surface_matrices[of_surface_cell[i]];
+    return surface_matrices[of_surface_cell[i]].entries();
   }
 } // namespace lumbricus

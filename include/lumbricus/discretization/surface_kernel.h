@@ -8,6 +8,8 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <array>
+
 namespace lumbricus
 {
   /**
@@ -48,6 +50,10 @@ namespace lumbricus
     /** The value of p at the point, from those of @p modes. */
     double
     pressure(const double (&modes)[MixedSpace::n_pressure_modes]) const;
+
+    /** The nodes on the face: all others have N_n = 0 and no derivatives along the
+     * face. By reinit(). */
+    std::array<unsigned int, 9> face_nodes;
 
     double                 JxW;                ///< area at rest [mm^2]
     double                 values[n_nodes];    ///< N_n

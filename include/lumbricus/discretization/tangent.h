@@ -3,6 +3,7 @@
 #define lumbricus_discretization_tangent_h
 
 #include <lumbricus/discretization/cell_linearisation.h>
+#include <lumbricus/discretization/surface_matrix.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -61,7 +62,8 @@ namespace lumbricus
     clear_surface_matrices();
 
     /** For the assembler: what the tractions on the boundary of cell @p i add
-     * to its matrix, zero at first. */
+     * to its matrix, by rows, zero at first; valid until the next call of any
+     * other function. */
     std::vector<double> &
     surface_matrix(const unsigned int i);
 
@@ -81,7 +83,7 @@ namespace lumbricus
   private:
     dealii::AlignedVector<CellLinearisation> cells;
     std::vector<int>                         of_surface_cell; // -1: none
-    std::vector<std::vector<double>>         surface_matrices;
+    std::vector<SurfaceMatrix>               surface_matrices;
   };
 } // namespace lumbricus
 

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/discretization/surface_matrix.h>
+
+namespace lumbricus
+{
+  std::vector<double> &
+  SurfaceMatrix::entries()
+  {
+    if (all.empty())
+      {
+        all.assign(n * n, 0.);
+        add_to(all);
+        places.clear();
+        packed.clear();
+      }
+    return all;
+  }
+
+
+
+  void
+  SurfaceMatrix::vmult_add(const double *x, double *y) const
+  {
+    pack();
+    const unsigned int n_places = places.size();
+    double             x_there[n];
+    for (unsigned int k = 0; k < n_places; ++k)
+      x_there[k] = x[places[k]];
+    const double *row = packed.data();
+    for (unsigned int k = 0; k < n_places; ++k, row += n_places)
+      {
+        double sum = 0.;
+        for (unsigned int l = 0; l < n_places; ++l)
+          sum += row[l] * x_there[l];
+        y[places[k]] += sum;
+      }
+  }
+
+
+
+  void
+  SurfaceMatrix::add_to(std::vector<double> &K) const
+  {
+    if (&K != &all)
+      pack();
+    const unsigned int n_places = places.size();
+    for (unsigned int k = 0; k < n_places; ++k)
+      for (unsigned int l = 0; l < n_places; ++l)
+        K[places[k] * n + places[l]] += packed[k * n_places + l];
+  }
+
+
+
+  void
+  SurfaceMatrix::pack() const
+  {
+    if (all.empty())
+      return;
+    places.clear();
+    for (unsigned int r = 0; r < n; ++r)
+      for (unsigned int s = 0; s < n; ++s)
+        if (all[r * n + s] != 0. || all[s * n + r] != 0.)
+          {
+            places.push_back(r);
+            break;
+          }
+    packed.clear();
+    packed.reserve(places.size() * places.size());
+    for (const unsigned int r : places)
+      for (const unsigned int s : places)
+        packed.push_back(all[r * n + s]);
+    std::vector<double>().swap(all);
+  }
+} // namespace lumbricus
