@@ -19,6 +19,7 @@ namespace lumbricus
     , forces(forces)
     , density(density)
     , cavities(body.anatomy.geometry())
+    , walls(body.anatomy.geometry().cavities())
     , surface(body.space, dealii::QGauss<dim - 1>(4))
   {
     for (const SymmetryPlane &plane :
@@ -67,7 +68,7 @@ namespace lumbricus
   void
   LiquidWeight::check_pistons(const unsigned int segment) const
   {
-    for (const CavityWall &wall : body.anatomy.geometry().cavities())
+    for (const CavityWall &wall : walls)
       for (unsigned int i = 0; i < forces.n_forces(); ++i)
         AssertThrow(wall.segment != segment || wall.pistons.empty() ||
                       of_segment[segment].density == 0. ||
@@ -109,7 +110,7 @@ namespace lumbricus
     const unsigned int cavity = cavities.at(cell, f);
     const unsigned int own    = cell.region.segment;
     if (cavity != CavityFaces::none)
-      return {own, -1.};
+      return {walls[cavity].segment, -1.};
     if (cell.iterator->at_boundary(f))
       {
         const auto id = cell.iterator->face(f)->boundary_id();
@@ -246,7 +247,6 @@ namespace lumbricus
         }
     // int x_c dv = 1/2 int x_c^2 n_c da: planes of symmetry, which have the
     // origin in them, give nothing.
-    const auto walls = body.anatomy.geometry().cavities();
     cavities.for_each(body, [&](const OwnedCell   &cell,
                                 const unsigned int f,
                                 const unsigned int k) {
@@ -261,7 +261,7 @@ namespace lumbricus
           dealii::Tensor<1, dim> first;
           for (unsigned int c = 0; c < dim; ++c)
             first[c] = 0.5 * x[c] * x[c] * dA[c] + walls[k].origin[c] * dv;
-          add(cell.region.segment, first, dv);
+          add(walls[k].segment, first, dv);
         }
     });
     dealii::Utilities::MPI::sum(sums, body.space.communicator(), sums);

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Physical surfaces that are to be the walls around chambers without cells, and
 are not: one message with the name and the way out."""
-import itertools
-
 import pytest
-from cube_mesh import HEXAHEDRON, Mesh
+from cube_mesh import FACES, boxes
 from lumbricus_run import run
 from mesh_cases import FILE
 from mistakes import check_one_message, names, on_ranks, run_all
@@ -22,58 +20,6 @@ subsection Time
   set Largest step = 1
 end
 """
-# Corners of a cell in the order of a hexahedron of Gmsh, and of its faces.
-CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
-           (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
-FACES = [[(1, 2, 6, 5), (0, 3, 7, 4)], [(3, 2, 6, 7), (0, 1, 5, 4)],
-         [(4, 5, 6, 7), (0, 1, 2, 3)]]
-
-
-def boxes(*cavities, left_out=(), symmetric=False):
-    """Boxes of 3 x 3 x 3 cells side by side along x, without the cell in the
-    middle of each but where the cavity is called 'liquid'; box s is of segment s.
-    The cavities have these names, and some directions of their faces are left out.
-    Where it is symmetric, there is half of the only box, cut in its middle."""
-    mesh = Mesh(())
-    mesh.nodes = []
-    n = 3 * len(cavities)
-    nodes = {}
-
-    def number(x):
-        if x not in nodes:
-            nodes[x] = len(nodes) + 1
-            mesh.nodes.append([float(c) for c in x])
-        return nodes[x]
-
-    def corner(cell, v):
-        x = [c + d for c, d in zip(cell, CORNERS[v], strict=True)]
-        if symmetric:
-            x[2] = max(x[2], 1.5)
-        return number(tuple(x))
-
-    for cell in itertools.product(range(n), range(3), range(3)):
-        if symmetric and cell[2] == 0:
-            continue
-        s = cell[0] // 3
-        if (cell[0] % 3, *cell[1:]) == (1, 1, 1):
-            if cavities[s] != "liquid":
-                continue
-            name = "liquid"
-        else:
-            name = "wall"
-        corners = [corner(cell, v) for v in range(8)]
-        mesh.add(HEXAHEDRON, f"{name} {s + 1}", corners)
-        if symmetric and cell[2] == 1:
-            mesh.surface("symmetry z", *corners[:4])
-    for s, name in enumerate(cavities):
-        for d, side in itertools.product(range(3), range(2)):
-            # Faces of the cells beside the one that is left out.
-            if name in (None, "liquid") or (d, side) in left_out or (
-                    symmetric and (d, side) == (2, 0)):
-                continue
-            mesh.surface(name, *[corner((3 * s + 1, 1, 1), v)
-                                 for v in FACES[d][1 - side]])
-    return mesh
 
 
 def named_twice():

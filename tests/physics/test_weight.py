@@ -8,6 +8,7 @@ import sys
 
 import numpy as np
 import pytest
+from cube_mesh import boxes
 from lumbricus_run import SOURCE, run_well
 
 sys.path.insert(0, str(SOURCE / "scripts"))
@@ -135,3 +136,60 @@ def test_weightless_liquid_is_that_of_before(tmp_path):
     for row, expected in zip(weight.segments(), dead.segments()):
         for part in ("length", "fluid_volume", "fluid_pressure"):
             assert row[part] == pytest.approx(expected[part], rel=1e-9), part
+
+
+def test_liquid_is_of_the_segment_of_its_cavity(tmp_path):
+    """Not of that of the cells around it: nearly all of the wall around the second
+    chamber, a cube of 1 mm, is of the first segment."""
+    mesh = boxes("cavity 1", "cavity 2", wall=lambda cell: (
+        "wall 2" if cell == (5, 2, 2) else "wall 1"))
+    (tmp_path / "body.msh").write_text(str(mesh))
+    case = tmp_path / "case.prm"
+    case.write_text(f"""
+subsection Geometry
+  set Shape = mesh file
+  subsection mesh file
+    set File           = {tmp_path / "body.msh"}
+    set Liquid tissues =
+  end
+end
+subsection Tissues
+  subsection wall
+    set Density = 0
+  end
+end
+subsection Cavities
+  set Segments with their own content = 1
+  subsection Segment 1
+    subsection liquid
+      set Density = 0
+    end
+  end
+end
+subsection Body forces
+  set Names = weight
+  subsection weight
+    set Type = weight
+    subsection weight
+      set Gravity = 0; 0; -{G}*t
+    end
+  end
+end
+subsection Boundary conditions
+  set Names = hold
+  subsection hold
+    set Boundary = free
+    set Type     = spring
+  end
+end
+subsection Time
+  set First step   = 1
+  set Largest step = 1
+end
+""")
+    run = run_well(case, tmp_path / "out")
+    forces = last_reactions(run)
+    assert float(forces["weight"]["force_z"]) == pytest.approx(
+        -RHO_LIQUID * G, rel=1e-9)
+    assert float(forces["hold"]["force_z"]) == pytest.approx(
+        RHO_LIQUID * G, rel=1e-6)

@@ -135,6 +135,8 @@ namespace lumbricus
     const BodyForces    &forces;
     const Density        density;
     CavityFaces          cavities;
+    /** Around these. */
+    const std::vector<CavityWall> walls;
     SurfaceKernel        surface;
     std::vector<bool>    is_symmetry_plane; // by boundary
     std::vector<Chamber> of_segment;
