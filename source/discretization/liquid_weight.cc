@@ -56,7 +56,6 @@ namespace lumbricus
       if (all[s][0] > 0.)
         {
           of_segment[s].density = density(s);
-          check_pistons(s);
           of_segment[s].volume  = all[s][0];
           for (unsigned int c = 0; c < dim; ++c)
             of_segment[s].centre[c] = all[s][1 + c] / all[s][0];
@@ -66,20 +65,21 @@ namespace lumbricus
 
 
   void
-  LiquidWeight::check_pistons(const unsigned int segment) const
+  LiquidWeight::check_pistons(const std::vector<double> &times) const
   {
-    for (const CavityWall &wall : walls)
-      for (unsigned int i = 0; i < forces.n_forces(); ++i)
-        AssertThrow(wall.segment != segment || wall.pistons.empty() ||
-                      of_segment[segment].density == 0. ||
-                      gravity(i, 1.).norm() == 0.,
-                    ExcInput("The liquid between pistons in segment " +
-                             std::to_string(segment + 1) +
-                             " cannot have weight, as the body force '" +
-                             forces.force(i).name +
-                             "' gives it: the pistons have no points that it "
-                             "could press. Set its 'Density' in the section "
-                             "Cavities to 0, or let it have cells."));
+    for (const CavityWall &wall : body.anatomy.geometry().cavities())
+      if (!wall.pistons.empty() && of_segment[wall.segment].density > 0.)
+        for (unsigned int i = 0; i < forces.n_forces(); ++i)
+          for (const double t : times)
+            AssertThrow(gravity(i, t).norm() == 0.,
+                        ExcInput(
+                          "The liquid between pistons in segment " +
+                          std::to_string(wall.segment + 1) +
+                          " cannot have weight, as the body force '" +
+                          forces.force(i).name +
+                          "' gives it: the pistons have no points that it could "
+                          "press. Set its 'Density' in the section Cavities to "
+                          "0, or let it have cells."));
   }
 
 

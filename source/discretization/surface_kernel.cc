@@ -2,6 +2,7 @@
 #include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/discretization/surface_kernel.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/fe/fe_update_flags.h>
 

@@ -80,6 +80,7 @@ namespace lumbricus
                                     parameters.body_forces,
                                     times);
     check_pistons(body, supports, times);
+    liquid_weight.check_pistons(times);
     check_load_balance(body,
                        parameters.boundary_conditions,
                        parameters.body_forces,

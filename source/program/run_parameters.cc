@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
 #include <lumbricus/output/field.h>
 #include <lumbricus/output/table.h>
 #include <lumbricus/program/run_parameters.h>
@@ -94,6 +95,11 @@ namespace lumbricus
   RunParameters::initialize()
   {
     anatomy.initialize();
+    AssertThrow(!interface_coupling.slips() || anatomy.has_liquid(),
+                ExcParameter("Interface/Coupling",
+                             "lets liquid slip along the wall, but no chamber "
+                             "of this body has cells of liquid inside. Set it "
+                             "to 'tied'."));
     adaptivity.initialize(anatomy, mesh_refinement.n_global_refinements());
     boundary_conditions.initialize(anatomy.geometry());
     body_forces.initialize(anatomy.geometry());

@@ -18,6 +18,9 @@ CASES = {
                       "Newton/Volume tolerance=1e-9",
                       "Newton/Predictor order=2"], 32, 200, 6),
     "chain": (HERE / "chain.prm", [], 58, 365, 5),
+    # Without cells of liquid: 12, 63 to 74, 1 to 2.
+    "chain of cavities": (HERE / "chain.prm",
+                          ["Geometry/segment chain/Liquid=cavity"], 13, 90, 3),
 }
 
 

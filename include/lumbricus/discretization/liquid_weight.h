@@ -51,9 +51,14 @@ namespace lumbricus
                  const BodyForces &forces,
                  const Density    &density);
 
-    /** After every change of the mesh. Throws ExcInput. Collective. */
+    /** After every change of the mesh. Collective. */
     void
     reinit();
+
+    /** Throws ExcInput where a chamber ends at pistons and has a weight at one of
+     * @p times. */
+    void
+    check_pistons(const std::vector<double> &times) const;
 
     /** From now on loads are those at @p t. */
     void
@@ -117,11 +122,6 @@ namespace lumbricus
       unsigned int segment;
       double       sign;
     };
-
-    /** Throws ExcInput where the chamber of @p segment ends at pistons and has a
-     * weight. */
-    void
-    check_pistons(const unsigned int segment) const;
 
     Side
     side(const OwnedCell &cell, const unsigned int f) const;
