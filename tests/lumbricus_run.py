@@ -53,6 +53,19 @@ class Run:
         """The rows of steps.csv but the one of the state at rest."""
         return self.table("steps.csv")[1:]
 
+    def costs(self):
+        """What the run took: sums over its steps, unknowns of the mesh at rest,
+        seconds in all and the peak memory of the largest rank."""
+        steps = self.steps()
+        return {**{name: int(sum(row[name] for row in steps)) for name in
+                   ("newton_iterations", "linear_iterations",
+                    "factorisations")},
+                "steps": len(steps),
+                "unknowns": int(self.table("mesh.csv")[0]["unknowns"]),
+                "seconds": steps[-1]["elapsed_seconds"],
+                "megabytes": int(re.search(r"largest rank: (\d+) MB",
+                                           self.log).group(1))}
+
 
 def run(parameter_file, folder, settings=(), ranks=1, options=(),
         timeout=900):

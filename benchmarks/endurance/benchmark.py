@@ -16,8 +16,9 @@ VALUES = ("length", "mid_radius", "fluid_pressure", "fluid_volume",
 
 def compute(name, n_waves, options):
     settings = [f"Time/End={n_waves + RAMP}", "Output/Every=0",
-                "Geometry/segment chain/Cells around a quarter="
-                f"{options.cells}"]
+                *(f"Geometry/segment chain/Cells {what}={n}" for what, n in
+                  (("around a quarter", options.cells),
+                   ("along a segment", 2), ("across the liquid", 1)))]
     if options.drifting:
         settings.append("Reset/Relax below=0")
     result = run(CASE, name, settings, ranks=options.ranks, timeout=20000)

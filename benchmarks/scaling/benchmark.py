@@ -17,6 +17,8 @@ from lumbricus_run import SOURCE, run_well
 
 CHAIN = SOURCE / "parameters" / "peristalsis" / "case.prm"
 BLOCK = SOURCE / "parameters" / "block_compression" / "case.prm"
+CELLS = (("around a quarter", 4), ("along a segment", 2),
+         ("across the liquid", 1))
 WAVELENGTH = 8
 REFERENCE = 8
 SEGMENTS = (1, 2, 4, 8, 16, 32, 64)
@@ -41,6 +43,7 @@ def chain(n_segments):
     muscles = ["circular", "longitudinal"] + ["septal"] * (n_segments > 1)
     return (CHAIN if n_segments > 1 else without_septa(),
             [f"Geometry/segment chain/Number of segments={n_segments}",
+             *(f"Geometry/segment chain/Cells {what}={n}" for what, n in CELLS),
              *(f"Muscles/{muscle}/wave/Wavelength={WAVELENGTH}"
                for muscle in muscles),
              "Time/First step=0.05", "Time/Largest step=0.05", "Time/End=0.2"])
@@ -60,14 +63,8 @@ def seconds(log, part):
 def measure(name, case, settings, ranks):
     result = run_well(case, f"{name}-on-{ranks}", ["Output/Every=0"] + settings,
                       ranks=ranks, timeout=TIMEOUT)
-    steps = result.steps()
-    found = {part: seconds(result.log, part) for part in PARTS}
-    for count in ("newton_iterations", "linear_iterations", "factorisations"):
-        found[count] = int(sum(row[count] for row in steps))
-    found["steps"] = len(steps)
-    found["unknowns"] = int(re.search(r"(\d+) unknowns", result.log).group(1))
-    found["megabytes"] = int(re.search(r"largest rank: (\d+) MB",
-                                       result.log).group(1))
+    found = {**result.costs(),
+             **{part: seconds(result.log, part) for part in PARTS}}
     print(f"{name} on {ranks}: {found['total']:.1f} s", file=sys.stderr,
           flush=True)
     return found

@@ -117,7 +117,7 @@ def test_main_job(tmp_path):
     # 5 a step, where the rubber fluid takes 12 to 16.
     assert all(row["newton_iterations"] <= 6 for row in runs[0].steps())
     cells = [run.table("mesh.csv")[0]["cells"] for run in runs]
-    assert cells == [480, 640]
+    assert cells == [420, 780]
 
 
 def test_gas_gives_way(tmp_path, cavities):
