@@ -114,6 +114,36 @@ def test_soft_actuator(tmp_path, monkeypatch):
     assert bent.last()["length"] < length
 
 
+def test_pores(tmp_path, monkeypatch):
+    """What flows, step by step, from the pressures that a pump needs; and
+    where it ends."""
+    monkeypatch.syspath_prepend(SOURCE / "parameters" / "pores")
+    import springs
+    coarse = [CHAIN + "Cells around a quarter=2",
+              CHAIN + "Cells along a segment=2"]
+    pump = springs.Springs(springs.table(case("pores", tmp_path / "pump", [
+        *coarse, "Time/End=0.9", "Cavities/Pores=0", "Cavities/Content=volume",
+        "Cavities/volume/Relative volume="
+        "t < 0.1 ? 1 : 1 + (2*s - 3)*0.1*(t - 0.1)"],
+        monkeypatch).folder))
+    end, slope = pump.at_rest()
+    for g in (4000, 20000):
+        result = case("pores", tmp_path / str(g), [
+            *coarse, "Time/End=0.4", f"Cavities/Pores={g}"], monkeypatch)
+        rows = springs.table(result.folder)
+        flowed = rows[0][1]
+        assert 0.1 * end < flowed < 0.8 * end
+        for (before, *_), (t, v, _) in zip(rows, rows[1:]):
+            flowed = pump.step(flowed, t - before, g)
+            assert flowed == pytest.approx(v, rel=5e-4), (g, t)
+        both = [row["fluid_volume"] for row in result.segments()]
+        assert [a + b for a, b in zip(both[::2], both[1::2])] == pytest.approx(
+            [2 * both[0]] * (len(both) // 2), rel=1e-12)
+    # Backward Euler divides what is still missing by 1 + dt g |dD/dv|.
+    (_, _, before), (_, _, after) = rows[-2:]
+    assert before / after == pytest.approx(1 - 0.025 * g * slope, rel=2e-3)
+
+
 def test_adaptive_septum(tmp_path, monkeypatch):
     """The first rows of its table: refined where the estimate says, the same
     at every change of the program that does not say why."""
