@@ -114,6 +114,32 @@ def test_soft_actuator(tmp_path, monkeypatch):
     assert bent.last()["length"] < length
 
 
+def test_soft_actuator_with_air_inside(tmp_path, monkeypatch):
+    """Air that flows in, the volume that it takes, by a pump, and the pressure
+    that it has, as a load: the same finger."""
+    settings = ["Time/End=0.05"] + steps_of(0.05)
+    gas = case("soft_actuator", tmp_path / "gas", settings, monkeypatch,
+               "gas.prm")
+    first, last = gas.segments()[0], gas.last()
+    volume, pressure = last["fluid_volume"], last["fluid_pressure"]
+    assert (pressure + 0.101325) * volume == pytest.approx(
+        0.101325 * (first["fluid_volume"] + 338 * 0.05), rel=1e-9)
+    growth = (volume / first["fluid_volume"] - 1) / 0.05
+    pump = case("soft_actuator", tmp_path / "pump", settings + [
+        f"Cavities/volume/Relative volume=1 + {growth:.16g}*t"], monkeypatch,
+        "pump.prm")
+    assert pump.last()["fluid_pressure"] == pytest.approx(pressure, rel=1e-8)
+    load = case("soft_actuator", tmp_path / "load", settings + [
+        f"Boundary conditions/air on the {part}/follower pressure/Pressure="
+        f"{pressure / 0.05:.16g}*t" for part in ("wall", "ends")], monkeypatch)
+    expected = at(load.table("points.csv"), 0.05)
+    for other in (gas, pump):
+        for n, point in at(other.table("points.csv"), 0.05).items():
+            for u in ("ux", "uy", "uz"):
+                assert point[u] == pytest.approx(expected[n][u], abs=1e-8)
+    assert expected[1]["uz"] < -0.5
+
+
 def test_pores(tmp_path, monkeypatch):
     """What flows, step by step, from the pressures that a pump needs; and
     where it ends."""
