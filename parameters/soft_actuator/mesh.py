@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-Write body.msh, the half y >= 0 of the finger, beside this file.
+Write body.msh, the half y >= 0 of the finger, beside this file; and cavity.msh, the
+same with all of the inside in one physical surface, 'cavity 1'. That one is not round as
+a whole, but the sections of the wall are, and they have all edges of the round part.
 """
 import pathlib
 from math import cos, pi, sin
@@ -81,6 +83,11 @@ for s, kind in enumerate(kinds):
         quads += [(2, 3, k) for k in range(N_ANGLE)]
     elif kind == "gap":
         quads += [(2, 3, N_ANGLE - 1)]
+    if kind != "cap":
+        for k in range(N_ANGLE):
+            add_end("sections", s, between(1, 2, k))
+            if s == last - 1:
+                add_end("sections", last, between(1, 2, k))
     for inner, outer, k in quads:
         tissue = ("cap" if kind == "cap" else "wall" if inner == 1 else
                   "ring" if kind == "ring" else "strip")
@@ -102,20 +109,30 @@ for s, kind in enumerate(kinds):
         for quad in section + [between(1, 2, k) for k in range(N_ANGLE)]:
             add_end("base" if s == 0 else "tip", 0 if s == 0 else last + 1, quad)
 
-groups = ([(2, name, surfaces[name]) for name in surfaces] +
-          [(3, name, cells[name]) for name in ("wall", "ring", "strip", "cap")])
-lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames",
-         str(len(groups))]
-lines += [f'{d} {i} "{name}"' for i, (d, name, _) in enumerate(groups, 1)]
-lines += ["$EndPhysicalNames", "$Nodes", str(len(nodes))]
-lines += [f"{n} {stations[s]:.12g} {points[p][0]:.12g} {points[p][1]:.12g}"
-          for (s, p), n in nodes.items()]
-lines += ["$EndNodes", "$Elements", str(sum(len(g[2]) for g in groups))]
-number = 0
-for i, (d, _, elements) in enumerate(groups, 1):
-    for element in elements:
-        number += 1
-        lines.append(f"{number} {3 if d == 2 else 5} 2 {i} {i} " +
-                     " ".join(map(str, element)))
-lines += ["$EndElements", ""]
-pathlib.Path(__file__).with_name("body.msh").write_text("\n".join(lines))
+INSIDE = ("chamber", "ends of the chamber")
+
+
+def write(file, surfaces):
+    groups = ([(2, name, surfaces[name]) for name in surfaces] +
+              [(3, name, cells[name]) for name in ("wall", "ring", "strip", "cap")])
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames",
+             str(len(groups))]
+    lines += [f'{d} {i} "{name}"' for i, (d, name, _) in enumerate(groups, 1)]
+    lines += ["$EndPhysicalNames", "$Nodes", str(len(nodes))]
+    lines += [f"{n} {stations[s]:.12g} {points[p][0]:.12g} {points[p][1]:.12g}"
+              for (s, p), n in nodes.items()]
+    lines += ["$EndNodes", "$Elements", str(sum(len(g[2]) for g in groups))]
+    number = 0
+    for i, (d, _, elements) in enumerate(groups, 1):
+        for element in elements:
+            number += 1
+            lines.append(f"{number} {3 if d == 2 else 5} 2 {i} {i} " +
+                         " ".join(map(str, element)))
+    lines += ["$EndElements", ""]
+    pathlib.Path(__file__).with_name(file).write_text("\n".join(lines))
+
+
+sections = surfaces.pop("sections")
+write("body.msh", surfaces)
+inside = sum((surfaces.pop(name) for name in INSIDE), [])
+write("cavity.msh", {**surfaces, "cavity 1": inside, "sections": sections})

@@ -114,6 +114,62 @@ def test_soft_actuator(tmp_path, monkeypatch):
     assert bent.last()["length"] < length
 
 
+def test_soft_actuator_with_air_inside(tmp_path, monkeypatch):
+    """Air that flows in, the volume that it takes, by a pump, and the pressure
+    that it has, as a load: the same finger."""
+    settings = ["Time/End=0.05"] + steps_of(0.05)
+    gas = case("soft_actuator", tmp_path / "gas", settings, monkeypatch,
+               "gas.prm")
+    first, last = gas.segments()[0], gas.last()
+    volume, pressure = last["fluid_volume"], last["fluid_pressure"]
+    assert (pressure + 0.101325) * volume == pytest.approx(
+        0.101325 * (first["fluid_volume"] + 338 * 0.05), rel=1e-9)
+    growth = (volume / first["fluid_volume"] - 1) / 0.05
+    pump = case("soft_actuator", tmp_path / "pump", settings + [
+        f"Cavities/volume/Relative volume=1 + {growth:.16g}*t"], monkeypatch,
+        "pump.prm")
+    assert pump.last()["fluid_pressure"] == pytest.approx(pressure, rel=1e-8)
+    load = case("soft_actuator", tmp_path / "load", settings + [
+        f"Boundary conditions/air on the {part}/follower pressure/Pressure="
+        f"{pressure / 0.05:.16g}*t" for part in ("wall", "ends")], monkeypatch)
+    expected = at(load.table("points.csv"), 0.05)
+    for other in (gas, pump):
+        for n, point in at(other.table("points.csv"), 0.05).items():
+            for u in ("ux", "uy", "uz"):
+                assert point[u] == pytest.approx(expected[n][u], abs=1e-8)
+    assert expected[1]["uz"] < -0.5
+
+
+def test_pores(tmp_path, monkeypatch):
+    """What flows, step by step, from the pressures that a pump needs; and
+    where it ends."""
+    monkeypatch.syspath_prepend(SOURCE / "parameters" / "pores")
+    import springs
+    coarse = [CHAIN + "Cells around a quarter=2",
+              CHAIN + "Cells along a segment=2"]
+    pump = springs.Springs(springs.table(case("pores", tmp_path / "pump", [
+        *coarse, "Time/End=0.9", "Cavities/Pores=0", "Cavities/Content=volume",
+        "Cavities/volume/Relative volume="
+        "t < 0.1 ? 1 : 1 + (2*s - 3)*0.1*(t - 0.1)"],
+        monkeypatch).folder))
+    end, slope = pump.at_rest()
+    for g in (4000, 20000):
+        result = case("pores", tmp_path / str(g), [
+            *coarse, "Time/End=0.4", f"Cavities/Pores={g}"], monkeypatch)
+        rows = springs.table(result.folder)
+        flowed = rows[0][1]
+        assert 0.1 * end < flowed < 0.8 * end
+        for (before, *_), (t, v, _) in zip(rows, rows[1:]):
+            flowed = pump.step(flowed, t - before, g)
+            assert flowed == pytest.approx(v, rel=5e-4), (g, t)
+        both = [row["fluid_volume"] for row in result.segments()]
+        assert [a + b for a, b in zip(both[::2], both[1::2])] == pytest.approx(
+            [2 * both[0]] * (len(both) // 2), rel=1e-12)
+    # Backward Euler divides what is still missing by 1 + dt g |dD/dv|.
+    (_, _, before), (_, _, after) = rows[-2:]
+    assert before / after == pytest.approx(1 - 0.025 * g * slope, rel=2e-3)
+
+
 def test_adaptive_septum(tmp_path, monkeypatch):
     """The first rows of its table: refined where the estimate says, the same
     at every change of the program that does not say why."""
