@@ -124,7 +124,8 @@ namespace lumbricus
   {
     if (!any())
       return;
-    const auto M = amounts(state.globals, state.time).M;
+    const auto P = pressures(state.globals, state.time).P;
+    const auto M = amounts(state.globals, P, state.time).M;
     const auto V = cavity_volumes(body, body.space.with_ghosts(state.solution));
     std::vector<double> &filling = state.globals.at(cavity_filling);
     for (unsigned int k = 0; k < walls.size(); ++k)
@@ -145,8 +146,28 @@ namespace lumbricus
 
 
 
+  Cavities::Pressures
+  Cavities::pressures(const Globals &globals, const LoadTime &t) const
+  {
+    Pressures pressures{globals.at(cavity_pressure), {}};
+    for (unsigned int k = 0; k < walls.size(); ++k)
+      {
+        const unsigned int segment = walls[k].segment;
+        const auto         given =
+          contents.content(segment).given_pressure(segment, t);
+        pressures.given.push_back(given.has_value());
+        if (given)
+          pressures.P[k] = *given;
+      }
+    return pressures;
+  }
+
+
+
   CavityExchange::Amounts
-  Cavities::amounts(const Globals &globals, const LoadTime &t) const
+  Cavities::amounts(const Globals             &globals,
+                    const std::vector<double> &P,
+                    const LoadTime            &t) const
   {
     std::vector<double> before, excess;
     for (unsigned int k = 0; k < walls.size(); ++k)
@@ -160,7 +181,7 @@ namespace lumbricus
       }
     return contents.exchange().amounts(chambers,
                                        before,
-                                       globals.at(cavity_pressure),
+                                       P,
                                        excess,
                                        t,
                                        t.to() - last_time);
@@ -265,11 +286,12 @@ namespace lumbricus
                    Tangent        *tangent,
                    Vector         &r)
   {
-    const std::vector<double> &P = globals.at(cavity_pressure);
-    const unsigned int         n = walls.size();
-    AssertDimension(P.size(), n);
+    const std::vector<double> &unknown = globals.at(cavity_pressure);
+    const unsigned int         n       = walls.size();
+    AssertDimension(unknown.size(), n);
+    const auto [P, given]  = pressures(globals, t);
     const Shape  now       = shape(solution, P, tangent, r);
-    const auto   inside    = amounts(globals, t);
+    const auto   inside    = amounts(globals, P, t);
     const double stiffness = body.anatomy.wall_stiffness();
 
     Border border;
@@ -285,7 +307,7 @@ namespace lumbricus
                        now.volumes[k],
                        wall.volume_at_rest,
                        inside.M[k],
-                       P[k],
+                       unknown[k],
                        stiffness,
                        t});
         border.residual.push_back(equation.s +
@@ -296,12 +318,13 @@ namespace lumbricus
                                   std::abs(equation.ds_dV) * now.rounding[k]);
         if (tangent == nullptr)
           continue;
-        border.columns.push_back(now.areas[k]);
+        border.columns.push_back(given[k] ? BorderVector() : now.areas[k]);
         border.columns.back().scale(-1.);
         border.rows.push_back(now.areas[k]);
         border.rows.back().scale(equation.ds_dV);
         for (unsigned int j = 0; j < n; ++j)
-          border.corner(k, j) = equation.ds_dM * inside.dM_dP(k, j);
+          border.corner(k, j) =
+            given[j] ? 0. : equation.ds_dM * inside.dM_dP(k, j);
         border.corner(k, k) += equation.ds_dP;
       }
     return border;

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/patterns.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,12 @@ namespace lumbricus
               1.,
               0.,
               point.stiffness};
+    }
+
+    std::optional<double>
+    given_pressure(const unsigned int segment, const LoadTime &t) const override
+    {
+      return given.value(segment, t);
     }
 
     double

@@ -5,7 +5,7 @@ and into it."""
 import pathlib
 
 import pytest
-from lumbricus_run import go_on, run_well
+from lumbricus_run import SOURCE, go_on, run_well
 
 HERE = pathlib.Path(__file__).parent
 CHAIN = HERE / "chain.prm"
@@ -44,6 +44,24 @@ def test_a_pump_and_the_pressure_it_needs(tmp_path):
         for name in ("length", "mid_radius", "fluid_volume", "fluid_pressure"):
             assert valve.last(segment)[name] == pytest.approx(
                 pump.last(segment)[name], rel=1e-8), (segment, name)
+
+
+def test_a_pressure_in_a_body_with_stiff_parts(tmp_path, monkeypatch):
+    """A pressure was an unknown with an equation of its own, P = P(t), whose error
+    counts relative to the stiffest tissue: nothing at first. What the pressure did
+    to the soft parts one iteration later was far more, and taken for divergence: no
+    step led on. It acts as a load does, from the first iteration on."""
+    monkeypatch.chdir(SOURCE)  # paths of meshes are from there
+    finger = SOURCE / "parameters" / "soft_actuator"
+    short = ["Time/End=0.1", "Output/Every=0"]
+    run = run_well(finger / "pump.prm", tmp_path / "cavity", [
+        *short, "Cavities/Content=pressure",
+        "Cavities/pressure/Pressure=0.04*t"])
+    load = run_well(finger / "case.prm", tmp_path / "load", short)
+    assert [row["cuts"] for row in run.steps()] == [0, 0]
+    for row, expected in zip(run.table("points.csv"), load.table("points.csv")):
+        for name in ("ux", "uz"):
+            assert row[name] == pytest.approx(expected[name], abs=1e-9)
 
 
 def test_gas_beside_liquid_under_a_falling_pressure_outside(tmp_path):

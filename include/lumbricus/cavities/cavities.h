@@ -118,9 +118,23 @@ namespace lumbricus
           Tangent                   *tangent,
           Vector                    &r);
 
-    /** How much is inside at @p globals. */
+    /** The pressures of which some are given: with these, what they do does not
+     * hang on the unknowns. */
+    struct Pressures
+    {
+      std::vector<double> P;
+      std::vector<bool>   given;
+    };
+
+    /** Those at @p globals and @p t. */
+    Pressures
+    pressures(const Globals &globals, const LoadTime &t) const;
+
+    /** How much is inside at @p globals and these pressures. */
     CavityExchange::Amounts
-    amounts(const Globals &globals, const LoadTime &t) const;
+    amounts(const Globals             &globals,
+            const std::vector<double> &P,
+            const LoadTime            &t) const;
 
     const Body            body;
     const CellUnknowns   &unknowns;

@@ -6,6 +6,7 @@
 #include <lumbricus/geometry/part_of_body.h>
 #include <lumbricus/geometry/segment_expression.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,15 @@ namespace lumbricus
     /** The equation at @p point. */
     virtual CavityEquation
     equation(const CavityPoint &point) const = 0;
+
+    /** The pressure of segment @p segment, from zero, at @p t where it is known
+     * beforehand, as a load is: what it does is there from the first iteration
+     * on. */
+    virtual std::optional<double>
+    given_pressure(const unsigned int /*segment*/, const LoadTime & /*t*/) const
+    {
+      return {};
+    }
 
     /** Mass per volume at rest [t/mm^3]. */
     virtual double
