@@ -55,68 +55,50 @@ subsection Tissues
 end
 )";
 
-  const std::string pressure = R"(
-subsection Boundary conditions
-  set Names = load
-  subsection load
-    set Boundary = skin
+  // A condition that presses onto a boundary along its normal.
+  std::string
+  pressing(const std::string &boundary)
+  {
+    return R"(
+  subsection )" +
+           boundary + R"(
+    set Boundary = )" +
+           boundary + R"(
     set Type     = follower pressure
     subsection follower pressure
       set Pressure = 0.01*t
     end
   end
-end
 )";
+  }
+
+  // Conditions in their section.
+  std::string
+  conditions(const std::string &names, const std::string &sections)
+  {
+    return "\nsubsection Boundary conditions\n  set Names = " + names +
+           sections + "end\n";
+  }
+
+  const std::string pressure = conditions("skin", pressing("skin"));
 
   // The same, on all of the surface that is no plane of symmetry.
-  const std::string pressure_around = R"(
-subsection Boundary conditions
-  set Names = head, tail, skin
-  subsection head
-    set Boundary = head
-    set Type     = follower pressure
-    subsection follower pressure
-      set Pressure = 0.01*t
-    end
-  end
-  subsection tail
-    set Boundary = tail
-    set Type     = follower pressure
-    subsection follower pressure
-      set Pressure = 0.01*t
-    end
-  end
-  subsection skin
-    set Boundary = skin
-    set Type     = follower pressure
-    subsection follower pressure
-      set Pressure = 0.01*t
-    end
-  end
-end
-)";
+  const std::string pressure_around =
+    conditions("head, tail, skin",
+               pressing("head") + pressing("tail") + pressing("skin"));
 
   // The same, on the skin, whose ends are held.
-  const std::string pressure_between = R"(
-subsection Boundary conditions
-  set Names = load, head, tail
-  subsection load
-    set Boundary = skin
-    set Type     = follower pressure
-    subsection follower pressure
-      set Pressure = 0.01*t
-    end
-  end
-  subsection head
+  const std::string pressure_between =
+    conditions("skin, front, rear", pressing("skin") + R"(
+  subsection front
     set Boundary = head
     set Type     = displacement
   end
-  subsection tail
+  subsection rear
     set Boundary = tail
     set Type     = displacement
   end
-end
-)";
+)");
 
   // A force that follows the place, and not as springs do.
   class Whirl : public VolumeTerm
