@@ -47,11 +47,10 @@ namespace lumbricus
     walls.clear();
     chambers.clear();
     const Geometry &geometry = body.anatomy.geometry();
-    const auto      around   = geometry.cavities();
-    for (const CavityWall &wall : around)
+    for (const CavityWall &wall : geometry.cavities())
       {
         walls.emplace_back();
-        walls.back().segment = wall.segment;
+        walls.back().around = wall;
         chambers.push_back(
           {wall.segment, contents.content(wall.segment).keeps_amount()});
       }
@@ -76,7 +75,8 @@ namespace lumbricus
                      for (unsigned int q = 0; q < surface.n_points(); ++q)
                        {
                          surface.set(q, at_rest);
-                         sum[0] += volume_in_cavity(surface, around[k]);
+                         sum[0] += volume_in_cavity(surface,
+                                                    walls[k].around);
                          sum[1] += surface.JxW;
                          for (unsigned int c = 0; c < dim; ++c)
                            sum[2 + c] += area_out_of_cavity(surface)[c];
@@ -94,13 +94,13 @@ namespace lumbricus
         for (const SymmetryPlane &plane : geometry.symmetry_planes())
           sum[2 + plane.direction] = 0.;
         // Pistons do so at their planes.
-        if (!around[k].pistons.empty())
+        if (!walls[k].around.pistons.empty())
           sum[2] = 0.;
         const dealii::Tensor<1, dim> open({sum[2], sum[3], sum[4]});
         if (open.norm() > closed * sum[1] || !(sum[0] > 0.))
           {
             std::ostringstream message;
-            message << "The cavity of segment " << walls[k].segment + 1
+            message << "The cavity of segment " << walls[k].around.segment + 1
                     << " is not closed: the area vectors of its "
                     << "wall add up to (" << open << ") mm^2, and it holds "
                     << sum[0] << " mm^3. Which surface is missing?";
@@ -152,7 +152,7 @@ namespace lumbricus
     Pressures pressures{globals.at(cavity_pressure), {}};
     for (unsigned int k = 0; k < walls.size(); ++k)
       {
-        const unsigned int segment = walls[k].segment;
+        const unsigned int segment = walls[k].around.segment;
         const auto         given =
           contents.content(segment).given_pressure(segment, t);
         pressures.given.push_back(given.has_value());
@@ -175,9 +175,7 @@ namespace lumbricus
         before.push_back(globals.at(cavity_filling)[k] *
                          walls[k].volume_at_rest);
         excess.push_back(
-          weight.any() ?
-            weight.excess(walls[k].segment, dealii::Point<dim>()) :
-            0.);
+          weight.excess(walls[k].around.segment, dealii::Point<dim>()));
       }
     return contents.exchange().amounts(chambers,
                                        before,
@@ -197,7 +195,6 @@ namespace lumbricus
   {
     constexpr unsigned int n_per_cell = CellUnknowns::n_per_cell;
     const unsigned int     n          = walls.size();
-    const auto             around     = body.anatomy.geometry().cavities();
     Vector                 u, a, pull;
     unknowns.reinit_vector(u);
     unknowns.reinit_vector(a);
@@ -226,13 +223,13 @@ namespace lumbricus
             for (unsigned int q = 0; q < surface.n_points(); ++q)
               {
                 surface.set(q, kernel.u);
-                const double V = volume_in_cavity(surface, around[k]);
+                const double V = volume_in_cavity(surface, walls[k].around);
                 sums[k] += V;
                 sums[n + k] += std::abs(V);
-                add_volume_derivative(surface, around[k], area);
+                add_volume_derivative(surface, walls[k].around, area);
                 if (tangent != nullptr)
                   add_volume_second_derivative(surface,
-                                               around[k],
+                                               walls[k].around,
                                                -P[k],
                                                matrix);
               }
@@ -300,10 +297,11 @@ namespace lumbricus
       border.corner.reinit(n, n);
     for (unsigned int k = 0; k < n; ++k)
       {
-        const Wall          &wall = walls[k];
+        const Wall          &wall    = walls[k];
+        const unsigned int   segment = wall.around.segment;
         const CavityEquation equation =
-          contents.content(wall.segment)
-            .equation({wall.segment,
+          contents.content(segment)
+            .equation({segment,
                        now.volumes[k],
                        wall.volume_at_rest,
                        inside.M[k],

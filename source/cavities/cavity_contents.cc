@@ -115,9 +115,17 @@ namespace lumbricus
     for (unsigned int i = 0; i < own.size(); ++i)
       own[i].get()->initialize(own[i].section_in(own_section), geometry);
     flows.initialize(geometry);
-    of_segment.assign(geometry.n_segments(), nullptr);
+    of_segment.assign(geometry.n_segments(), Chosen());
     for (const CavityWall &wall : geometry.cavities())
-      of_segment[wall.segment] = chosen(wall.segment).choice->get();
+      of_segment[wall.segment] = {&common, common.section_in(own_section)};
+    for (const SegmentRange &range : ranges())
+      for (unsigned int s = range.first - 1; s < range.last; ++s)
+        {
+          const Own *choice = own.find(range.name());
+          of_segment[s]     = {choice,
+                               choice->section_in(own_section + "/" +
+                                                  range.name())};
+        }
   }
 
 
@@ -138,10 +146,10 @@ namespace lumbricus
     });
     for (const double t : times)
       {
-        for (const CavityWall &wall : anatomy.geometry().cavities())
-          within_section(chosen(wall.segment).section, [&]() {
-            content(wall.segment).check_at(wall.segment, t);
-          });
+        for (unsigned int s = 0; s < of_segment.size(); ++s)
+          if (of_segment[s].choice != nullptr)
+            within_section(of_segment[s].section,
+                           [&]() { content(s).check_at(s, t); });
         if (flows.any())
           within_section(own_section, [&]() { check_flows(t); });
       }
@@ -159,18 +167,19 @@ namespace lumbricus
                   ExcParameter(pore ? "Pores" : "Leak",
                                "lets something flow at segment " +
                                  std::to_string(s + 1) + ", whose '" +
-                                 chosen(s).choice->chosen_name() + "' " + why +
+                                 of_segment[s].choice->chosen_name() + "' " +
+                                 why +
                                  "."));
     };
     for (unsigned int s = 0; s < n; ++s)
       {
-        if (of_segment[s] != nullptr && flows.is_open(s, t))
+        if (of_segment[s].choice != nullptr && flows.is_open(s, t))
           can_flow(s, false);
         if (!flows.pore_behind(s, t) || s + 1 == n)
           continue;
         for (const unsigned int side : {s, s + 1})
           {
-            AssertThrow(of_segment[side] != nullptr,
+            AssertThrow(of_segment[side].choice != nullptr,
                         ExcParameter("Pores",
                                      "is more than 0 between the segments " +
                                        std::to_string(s + 1) + " and " +
@@ -182,8 +191,8 @@ namespace lumbricus
                                        std::to_string(s + 1) + ", 0, ...)'."));
             can_flow(side, true);
           }
-        const std::string names[] = {chosen(s).choice->chosen_name(),
-                                     chosen(s + 1).choice->chosen_name()};
+        const std::string names[] = {of_segment[s].choice->chosen_name(),
+                                     of_segment[s + 1].choice->chosen_name()};
         AssertThrow(names[0] == names[1] || !content(s).keeps_amount() ||
                       !content(s + 1).keeps_amount(),
                     ExcParameter("Pores",
@@ -221,8 +230,9 @@ namespace lumbricus
   const CavityContent &
   CavityContents::content(const unsigned int segment) const
   {
-    Assert(of_segment.at(segment) != nullptr, dealii::ExcInternalError());
-    return *of_segment[segment];
+    Assert(of_segment.at(segment).choice != nullptr,
+           dealii::ExcInternalError());
+    return **of_segment[segment].choice;
   }
 
 
@@ -235,35 +245,19 @@ namespace lumbricus
 
 
 
-  CavityContents::Chosen
-  CavityContents::chosen(const unsigned int segment) const
-  {
-    for (const SegmentRange &range : ranges())
-      if (range.first <= segment + 1 && segment + 1 <= range.last)
-        {
-          const Own *choice = own.find(range.name());
-          return {choice,
-                  choice->section_in(own_section + "/" + range.name())};
-        }
-    return {&common, common.section_in(own_section)};
-  }
-
-
-
   void
   CavityContents::for_each_expression(
     const std::function<void(const SegmentExpression &,
                              const std::string &,
                              const unsigned int)> &function) const
   {
-    for (const CavityWall &wall : anatomy.geometry().cavities())
-      {
-        const Chosen here = chosen(wall.segment);
-        for (const SegmentExpression *expression :
-             here.choice->get()->expressions())
-          function(*expression, here.section, wall.segment);
-        for (const SegmentExpression *expression : flows.expressions())
-          function(*expression, own_section, wall.segment);
-      }
+    for (unsigned int s = 0; s < of_segment.size(); ++s)
+      if (of_segment[s].choice != nullptr)
+        {
+          for (const SegmentExpression *expression : content(s).expressions())
+            function(*expression, of_segment[s].section, s);
+          for (const SegmentExpression *expression : flows.expressions())
+            function(*expression, own_section, s);
+        }
   }
 } // namespace lumbricus

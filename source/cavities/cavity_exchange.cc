@@ -2,10 +2,6 @@
 #include <lumbricus/cavities/cavity_exchange.h>
 #include <lumbricus/core/exceptions.h>
 
-#include <deal.II/base/utilities.h>
-
-#include <string>
-
 namespace lumbricus
 {
   namespace
@@ -18,10 +14,9 @@ namespace lumbricus
       const double g = expression.value(segment, t);
       AssertThrow(g >= 0.,
                   ExcParameter(expression.parameter(),
-                               "is " + dealii::Utilities::to_string(g) +
-                                 " mm^5/(N s) for segment " +
-                                 std::to_string(segment + 1) + " at time " +
-                                 dealii::Utilities::to_string(t) +
+                               expression.value_text(segment,
+                                                     t,
+                                                     "mm^5/(N s)") +
                                  ", but nothing flows from low to high "
                                  "pressure. Give at least 0."));
       return g;

@@ -5,7 +5,6 @@
 #include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/patterns.h>
-#include <deal.II/base/utilities.h>
 
 #include <cmath>
 #include <string>
@@ -89,13 +88,9 @@ namespace lumbricus
     void
     check_at(const unsigned int segment, const double t) const override
     {
-      const double p = outside.value(segment, t);
-      AssertThrow(p >= 0.,
+      AssertThrow(outside.value(segment, t) >= 0.,
                   ExcParameter(outside.parameter(),
-                               "is " + dealii::Utilities::to_string(p) +
-                                 " N/mm^2 for segment " +
-                                 std::to_string(segment + 1) + " at time " +
-                                 dealii::Utilities::to_string(t) +
+                               outside.value_text(segment, t, "N/mm^2") +
                                  ", but no absolute pressure is below that of "
                                  "vacuum, 0. The atmosphere has 0.101325."));
     }

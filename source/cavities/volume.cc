@@ -2,10 +2,6 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/parameters/registry.h>
 
-#include <deal.II/base/utilities.h>
-
-#include <string>
-
 #include "given_content.h"
 
 namespace lumbricus
@@ -36,12 +32,9 @@ namespace lumbricus
     void
     check_at(const unsigned int segment, const double t) const override
     {
-      const double v = given.value(segment, t);
-      AssertThrow(v > 0.,
+      AssertThrow(given.value(segment, t) > 0.,
                   ExcParameter(given.parameter(),
-                               "is " + dealii::Utilities::to_string(v) +
-                                 " for segment " + std::to_string(segment + 1) +
-                                 " at time " + dealii::Utilities::to_string(t) +
+                               given.value_text(segment, t) +
                                  ", but a chamber has a volume of more than 0. "
                                  "At rest it is 1."));
     }

@@ -3,6 +3,9 @@
 #include <lumbricus/geometry/segment_expression.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/utilities.h>
+
+#include <string>
 
 namespace lumbricus
 {
@@ -76,5 +79,18 @@ namespace lumbricus
     return t.take(
       [&](const double time) { return of(segment).value(middle(segment), time); },
       at_rest);
+  }
+
+
+
+  std::string
+  SegmentExpression::value_text(const unsigned int segment,
+                                const double       t,
+                                const std::string &unit) const
+  {
+    return "is " + dealii::Utilities::to_string(value(segment, t)) +
+           (unit.empty() ? "" : " " + unit) + " for segment " +
+           std::to_string(segment + 1) + " at time " +
+           dealii::Utilities::to_string(t);
   }
 } // namespace lumbricus

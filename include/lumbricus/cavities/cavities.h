@@ -95,7 +95,7 @@ namespace lumbricus
     /** A cavity. */
     struct Wall
     {
-      unsigned int      segment;
+      CavityWall        around;
       double            volume_at_rest = 0.; // of all ranks
       std::vector<Face> faces;               // of this rank
     };

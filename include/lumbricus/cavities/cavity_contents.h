@@ -74,15 +74,12 @@ namespace lumbricus
     std::vector<SegmentRange>
     ranges() const;
 
-    /** The choice for a segment, from zero, and the section it is in. */
+    /** The choice for a segment, and the section of what was chosen. */
     struct Chosen
     {
-      const Own  *choice;
+      const Own  *choice = nullptr;
       std::string section;
     };
-
-    Chosen
-    chosen(const unsigned int segment) const;
 
     /** Throws ExcParameter where something flows at time @p t that cannot. */
     void
@@ -101,8 +98,8 @@ namespace lumbricus
     NamedSections<Own> own;
     CavityExchange     flows;
 
-    /** By segment; nullptr where it has no cavity. */
-    std::vector<const CavityContent *> of_segment;
+    /** By segment; without a choice where it has no cavity. */
+    std::vector<Chosen> of_segment;
   };
 } // namespace lumbricus
 

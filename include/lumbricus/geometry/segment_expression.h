@@ -49,6 +49,12 @@ namespace lumbricus
           const LoadTime    &t,
           const double       at_rest = 0.) const;
 
+    /** "is 0 N/mm^2 for segment 2 at time 0.5", for messages. */
+    std::string
+    value_text(const unsigned int segment,
+               const double       t,
+               const std::string &unit = "") const;
+
     /** The name of the parameter in its section. */
     const std::string &
     parameter() const
