@@ -50,7 +50,8 @@ namespace
     }
 
     std::vector<Tensor<1, dim>>
-    elastic_directions(const Tensor<1, dim> & /*N*/) const override
+    elastic_directions(
+      const lumbricus::SurfacePoint & /*point*/) const override
     {
       return {dealii::Point<dim>::unit_vector(0)};
     }

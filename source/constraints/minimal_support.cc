@@ -36,7 +36,8 @@ namespace lumbricus
                            motions.free_motions() +
                            ". Set 'Boundary conditions/Minimal support' to "
                            "true, or add a condition of type 'displacement' or "
-                           "'spring' that holds it."));
+                           "'spring', or a 'contact' with friction, that holds "
+                           "it."));
     }
   } // namespace
 

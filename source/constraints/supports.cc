@@ -287,10 +287,9 @@ namespace lumbricus
         motions[pair.segment + 1].hold(pair.X, normal / normal.norm());
 
     for (const LoadedPoint &point : loaded_points(space, conditions))
-      for (const auto &direction :
-           conditions.condition(point.condition)
-             .surface_term()
-             ->elastic_directions(point.N))
+      for (const auto &direction : conditions.condition(point.condition)
+                                     .surface_term()
+                                     ->elastic_directions(point.at_rest()))
         motions[body_of(point.material)].hold(point.X, direction);
     for (RigidMotions &of_body : motions)
       of_body.merge(space.communicator());

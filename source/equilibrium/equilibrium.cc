@@ -21,11 +21,13 @@ namespace lumbricus
 
   Equilibrium::Equilibrium(const Body          &body,
                            Assembler           &assembler,
+                           const SurfaceTerms  &surface_terms,
                            Supports            &supports,
                            LinearSolver        &linear_solver,
                            dealii::TimerOutput &timer)
     : body(body)
     , assembler(assembler)
+    , surface_terms(surface_terms)
     , supports(supports)
     , linear_solver(linear_solver)
     , timer(timer)
@@ -291,6 +293,20 @@ namespace lumbricus
         largest = std::max(largest, std::abs(dx.begin()[i]));
     return dealii::Utilities::MPI::max(largest, body.space.communicator()) /
            length;
+  }
+
+
+
+  double
+  Equilibrium::work(const Vector &dx) const
+  {
+    if (!surface_terms.may_slide())
+      return 0.;
+    double sum = 0.;
+    for (unsigned int i = 0; i < component.size(); ++i)
+      if (component[i] < dim)
+        sum += r.begin()[i] * dx.begin()[i];
+    return dealii::Utilities::MPI::sum(sum, body.space.communicator());
   }
 
 

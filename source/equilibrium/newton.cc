@@ -193,14 +193,20 @@ namespace lumbricus
           whole ? std::numeric_limits<double>::max() :
                   growth_allowed *
                     std::max(residual.merit(), least_force(residual));
-        double                     step_length = 1.;
+        // Where all of a skin slides no step is long enough for the residual to
+        // grow, but it may go far beyond the place where friction balances.
+        constexpr double most_back = 0.1;
+        const double     downhill  = whole ? 0. : -problem.work(dx.solution);
+        double           step_length = 1.;
         NonlinearProblem::Residual trial_residual;
         for (unsigned int halvings = 0;; ++halvings)
           {
             trial = current;
             trial.add(step_length, dx);
             trial_residual = problem.residual(trial);
-            if (trial_residual.valid && trial_residual.merit() <= largest_merit)
+            if (trial_residual.valid && trial_residual.merit() <= largest_merit &&
+                (!(downhill > 0.) ||
+                 problem.work(dx.solution) <= most_back * downhill))
               break;
             if (whole || halvings == most_halvings)
               {

@@ -86,7 +86,9 @@ namespace lumbricus
     Report             report;
     report.n_resets.assign(n_segments, 0);
 
-    Unknowns x{guess, state.globals};
+    constexpr unsigned int most_augmentations = 100;
+    unsigned int           n_augmentations    = 0;
+    Unknowns               x{guess, state.globals};
     for (unsigned int n_resets = 0;; ++n_resets)
       {
         Solve solve;
@@ -118,6 +120,10 @@ namespace lumbricus
                                               diverges.end(),
                                               [](const bool d) { return d; });
         const bool done = limit == 0 || (hydrostatic && n_resets >= least);
+        const bool is_augmented =
+          !model.surface.augment(state, model.equilibrium.load_time());
+        if (!is_augmented)
+          model.surface.set_to(state);
         if (!done && n_resets >= least)
           check_progress(report.solves, diverges);
         const std::vector<bool> is_reset =
@@ -126,8 +132,15 @@ namespace lumbricus
                               std::vector<bool>(n_segments, true);
         if (listener)
           listener(solve, is_reset);
-        if (done)
+        if (done && is_augmented)
           return report;
+        AssertThrow(is_augmented || ++n_augmentations < most_augmentations,
+                    ExcNotConverged(
+                      "The skin goes into an obstacle by more than its "
+                      "'Penetration' after " +
+                      std::to_string(most_augmentations) +
+                      " augmentations. Raise its 'Stiffness' or "
+                      "'Penetration'"));
 
         reset(state, is_reset, body);
         model.references.update_liquid(state);

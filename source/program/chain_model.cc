@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/adaptivity/cell_cost.h>
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/discretization/surface_scales.h>
 #include <lumbricus/program/chain_model.h>
 
+#include "contact_check.h"
 #include "load_balance.h"
 #include "piston_check.h"
 
@@ -41,11 +43,13 @@ namespace lumbricus
                liquid_weight)
     , equilibrium(body,
                   assembler,
+                  surface_terms,
                   supports,
                   *parameters.linear_solver.get(),
                   timer)
     , reset_model{equilibrium,
                   parameters.newton,
+                  surface_terms,
                   references,
                   liquid_weight,
                   body,
@@ -71,6 +75,7 @@ namespace lumbricus
     space.set_finest_curved_level(
       parameters.mesh_refinement.n_global_refinements());
     number_unknowns();
+    parameters.boundary_conditions.set_scales(surface_scales(body));
     reinit();
     parameters.try_expressions(triangulation);
     const auto times = parameters.times_to_try();
@@ -81,6 +86,11 @@ namespace lumbricus
                                     times);
     check_pistons(body, supports, times);
     liquid_weight.check_pistons(times);
+    check_contacts(body,
+                   parameters.boundary_conditions,
+                   parameters.body_forces,
+                   supports,
+                   times);
     check_load_balance(body,
                        parameters.boundary_conditions,
                        parameters.body_forces,
@@ -126,7 +136,9 @@ namespace lumbricus
     StateOutline outline = space.initial_state().outline();
     outline.histories.merge(surface_terms.histories());
     outline.globals = equilibrium.globals_at_rest();
-    return space.zero_state(outline);
+    State state = space.zero_state(outline);
+    surface_terms.end_step(state);
+    return state;
   }
 
 

@@ -29,7 +29,7 @@ namespace lumbricus
       "The minimal support only keeps a body in its place whose loads are in "
       "balance: its points would be pulled out, the more the finer the mesh. "
       "Balance the loads, or hold the body by a condition of type "
-      "'displacement' or 'spring'.";
+      "'displacement' or 'spring', or by friction in a 'contact'.";
 
 
 
@@ -53,10 +53,7 @@ namespace lumbricus
     {
       for (const LoadedPoint &loaded : loaded_points(space, conditions))
         {
-          SurfacePoint point;
-          point.X = loaded.X;
-          point.N = loaded.N;
-          point.F = dealii::unit_symmetric_tensor<dim, double>();
+          const SurfacePoint point = loaded.at_rest();
           points.push_back(
             {loaded.condition,
              point.X,

@@ -298,7 +298,7 @@ namespace lumbricus
             point.X = face_values.quadrature_point(q);
             point.N = face_values.normal_vector(q);
             point.F = dealii::unit_symmetric_tensor<dim, double>();
-            point.t = 0.;
+            point.segment = Region::of(cell->material_id()).segment;
             at_plane.nodes.push_back(point);
             at_plane.on_plane.push_back(on_plane(point.X));
           }
@@ -345,8 +345,9 @@ namespace lumbricus
             {
               if (!face.on_plane[q])
                 continue;
-              const SurfacePoint &point = face.nodes[q];
-              std::ostringstream  what;
+              SurfacePoint point = face.nodes[q];
+              point.t            = t;
+              std::ostringstream what;
               if (is_held)
                 {
                   const double u = held->value(d, point.X, t);
@@ -372,6 +373,11 @@ namespace lumbricus
                          << " = " << T[d]
                          << " N/mm^2, has to be zero there";
                 }
+              if (pulls)
+                for (const Tensor<1, dim> &e : term->possible_directions(point))
+                  if (std::abs(e[d]) > tolerance && what.str().empty())
+                    what << "it may pull along " << point_text(Point<dim>(e))
+                         << ", and not only within that plane";
               if (what.str().empty())
                 continue;
               std::ostringstream message;

@@ -180,6 +180,17 @@ namespace lumbricus
 
 
 
+  void
+  BoundaryConditions::set_scales(
+    const std::map<dealii::types::boundary_id, SurfaceScale> &scales)
+  {
+    for (const auto &[boundary, scale] : scales)
+      for (const unsigned int i : surface_terms_on(boundary))
+        dynamic_cast<SurfaceTerm &>(*(*this)[i].type.get()).set_scale(scale);
+  }
+
+
+
   std::vector<LoadCurve>
   BoundaryConditions::load_curves(
     const dealii::parallel::TriangulationBase<dim> &triangulation) const

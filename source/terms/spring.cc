@@ -34,10 +34,10 @@ namespace lumbricus
     }
 
     std::vector<dealii::Tensor<1, dim>>
-    elastic_directions(const dealii::Tensor<1, dim> &N) const override
+    elastic_directions(const SurfacePoint &point) const override
     {
       if (only_normal)
-        return {N};
+        return {point.N};
       std::vector<dealii::Tensor<1, dim>> all(dim);
       for (unsigned int i = 0; i < dim; ++i)
         all[i][i] = 1.;

@@ -13,7 +13,8 @@
 
 namespace lumbricus
 {
-  /** A quadrature point of the boundary at rest where a SurfaceTerm acts. */
+  /** A quadrature point of the boundary at rest where a SurfaceTerm acts: a node
+   * where that remembers. */
   struct LoadedPoint
   {
     unsigned int               condition; ///< number of the condition
@@ -21,6 +22,10 @@ namespace lumbricus
     dealii::Point<dim>         X;         ///< where [mm]
     dealii::Tensor<1, dim>     N;         ///< outward normal
     double                     JxW;       ///< area [mm^2]
+
+    /** As a SurfaceTerm sees it, at rest and at time zero. */
+    SurfacePoint
+    at_rest() const;
   };
 
   /** The points of all owned cells; a point is listed once for every condition

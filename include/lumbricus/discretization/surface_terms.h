@@ -47,10 +47,32 @@ namespace lumbricus
     std::set<std::string>
     histories() const;
 
+    /** Whether the traction of any is bounded: SurfaceTerm::may_slide(). */
+    bool
+    may_slide() const;
+
     /** The load step that ended with @p state is complete: let the skin remember
      * what it has to. Before State::last_time is changed. Collective. */
     void
     end_step(State &state) const;
+
+    /** Augment what the skin remembers where the solution in @p state at time
+     * @p t is not yet good enough, see SurfaceTerm::is_augmented(). @return
+     * whether it was not. Collective. */
+    bool
+    augment(State &state, const LoadTime &t) const;
+
+    /** Call @p function(condition, point) at all nodes of this rank's cells where
+     * a condition, by its number, acts that remembers: what they do at
+     * @p solution and time @p t with what @p state remembers. A node comes once
+     * for each cell; N and F are not there. Collective. */
+    void
+    visit_nodes(
+      const State                                           &state,
+      const Vector                                          &solution,
+      const LoadTime                                        &t,
+      const std::function<void(const unsigned int, const SurfacePoint &)>
+        &function) const;
 
     /**
      * Call @p listener at the quadrature points of all faces at the boundary of
@@ -77,6 +99,15 @@ namespace lumbricus
     template <typename Function>
     void
     for_each_memory(const Function &function) const;
+
+    /** Call @p function(condition, point, history) at all nodes that remember,
+     * where the last is what the state has, to read or to change. */
+    template <typename StateType, typename Function>
+    void
+    for_each_node(StateType      &state,
+                  const Vector   &solution,
+                  const LoadTime &t,
+                  const Function &function) const;
 
     /** How the State calls what condition @p i remembers. */
     std::string

@@ -25,6 +25,7 @@ namespace lumbricus
     /** All of these are kept by reference; call reinit() first. */
     Equilibrium(const Body          &body,
                 Assembler           &assembler,
+                const SurfaceTerms  &surface_terms,
                 Supports            &supports,
                 LinearSolver        &linear_solver,
                 dealii::TimerOutput &timer);
@@ -52,6 +53,13 @@ namespace lumbricus
     linearised_border() const
     {
       return border;
+    }
+
+    /** That of set_time(). */
+    const LoadTime &
+    load_time() const
+    {
+      return time;
     }
 
     /** All global unknowns, with their values at rest. */
@@ -92,6 +100,9 @@ namespace lumbricus
     double
     increment_size(const Vector &dx) const override;
 
+    double
+    work(const Vector &dx) const override;
+
     bool
     increments_prescribed() const override;
 
@@ -118,6 +129,7 @@ namespace lumbricus
 
     const Body           body;
     Assembler           &assembler;
+    const SurfaceTerms  &surface_terms;
     Supports            &supports;
     LinearSolver        &linear_solver;
     dealii::TimerOutput &timer;

@@ -65,6 +65,15 @@ namespace lumbricus
     virtual double
     increment_size(const Vector &dx) const = 0;
 
+    /** The work r_u . du of the out-of-balance forces r that residual() has found
+     * last, on an increment: a step downhill is too long where it has turned to
+     * positive. Zero where the residual itself says how far off x is. */
+    virtual double
+    work(const Vector & /*dx*/) const
+    {
+      return 0.;
+    }
+
     /** Whether dx carries prescribed displacements that x still lacks: then
      * it has to be taken whole. */
     virtual bool
@@ -94,7 +103,8 @@ namespace lumbricus
   /**
    * Newton's method with a backtracking line search. A step is taken whole
    * unless an element inverts or the residual grows beyond what a saddle
-   * point may show on its way.
+   * point may show on its way, or, where forces are bounded as by friction, the
+   * out-of-balance forces pull back.
    */
   class Newton : public ParameterOwner
   {

@@ -55,6 +55,7 @@ namespace lumbricus
     {
       Equilibrium         &equilibrium; ///< of the body under its loads
       const Newton        &newton;      ///< solves it
+      SurfaceTerms        &surface;     ///< what is augmented
       ReferenceField      &references;  ///< what a reset changes
       LiquidWeight        &weight;      ///< of liquids, in what is measured
       const Body          &body;        ///< with the liquid

@@ -79,6 +79,12 @@ namespace lumbricus
     const NamedCondition &
     condition(const unsigned int i) const;
 
+    /** Tell the surface terms of each boundary what they may measure lengths and
+     * stresses by. */
+    void
+    set_scales(
+      const std::map<dealii::types::boundary_id, SurfaceScale> &scales);
+
     /** All loads and prescribed displacements over time; the same on all
      * ranks. */
     std::vector<LoadCurve>

@@ -28,6 +28,18 @@ namespace lumbricus
     /** What the point has remembered since then, see SurfaceTerm::remember();
      * zero at first. */
     dealii::Tensor<1, dim> history;
+    /** The segment it is of, from zero. */
+    unsigned int segment = 0;
+  };
+
+
+
+  /** What a part of the boundary may measure lengths and stresses by: those of
+   * the coarse mesh behind it. */
+  struct SurfaceScale
+  {
+    double thickness     = 1.; ///< of the thinnest cell, along the normal [mm]
+    double shear_modulus = 1.; ///< of the stiffest cell, mu [N/mm^2]
   };
 
 
@@ -80,13 +92,51 @@ namespace lumbricus
     }
 
     /**
-     * The directions in which the surface with normal @p N is held elastically
-     * (springs): with the constraints, these keep the body from moving rigidly.
+     * The directions in which the surface is held elastically at @p point, at
+     * rest: with the constraints, these keep the body from moving rigidly.
      */
     virtual std::vector<dealii::Tensor<1, dim>>
-    elastic_directions(const dealii::Tensor<1, dim> & /*N*/) const
+    elastic_directions(const SurfacePoint & /*point*/) const
     {
       return {};
+    }
+
+    /** Directions that the traction may have at @p point when the body has moved,
+     * where it has none at rest: none of them may be across a plane of
+     * symmetry. */
+    virtual std::vector<dealii::Tensor<1, dim>>
+    possible_directions(const SurfacePoint & /*point*/) const
+    {
+      return {};
+    }
+
+    /** Called once, when there is a mesh: what lengths and stresses may be
+     * measured by. */
+    virtual void
+    set_scale(const SurfaceScale & /*scale*/)
+    {}
+
+    /** Whether the traction is bounded, so that the residual does not say how far
+     * the body is from equilibrium: the line search looks at work then. */
+    virtual bool
+    may_slide() const
+    {
+      return false;
+    }
+
+    /** What a point of the surface does. */
+    enum class Regime
+    {
+      free,   ///< nothing
+      sticks, ///< hangs on to something
+      slides  ///< is pulled along
+    };
+
+    /** What @p point does; for messages. */
+    virtual Regime
+    regime(const SurfacePoint & /*point*/) const
+    {
+      return Regime::free;
     }
 
     /**
@@ -104,11 +154,28 @@ namespace lumbricus
     /**
      * A load step has ended with a node at @p point: change @p history into what
      * it remembers from now on. Called once for a node of a cell, so that N and
-     * F of @p point, which its faces do not share, are not there.
+     * F of @p point, which its faces do not share, are not there. At rest, before
+     * the first step, too.
      */
     virtual void
     remember(const SurfacePoint & /*point*/,
              dealii::Tensor<1, dim> & /*history*/) const
+    {}
+
+    /** Whether the solution with a node at @p point is as good as it has to be.
+     * Where it is not, all nodes of the term are augmented, and the same load is
+     * solved for again. */
+    virtual bool
+    is_augmented(const SurfacePoint & /*point*/) const
+    {
+      return true;
+    }
+
+    /** Change @p history so that the solution gets better: see
+     * is_augmented(). */
+    virtual void
+    augment(const SurfacePoint & /*point*/,
+            dealii::Tensor<1, dim> & /*history*/) const
     {}
   };
 } // namespace lumbricus

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_contact_obstacle_h
+#define lumbricus_contact_obstacle_h
+
+#include <lumbricus/core/dimension.h>
+#include <lumbricus/core/load_time.h>
+#include <lumbricus/geometry/part_of_body.h>
+#include <lumbricus/parameters/expression.h>
+#include <lumbricus/parameters/vector_expression.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * Something rigid that the body cannot go through: a signed distance g(x, t),
+   * positive outside, whose gradient has the length 1 near the surface g = 0. It
+   * may move, and points of it with it.
+   */
+  class Obstacle : public PartOfBody
+  {
+  public:
+    /** The distance and its derivatives at a point of space. */
+    struct Distance
+    {
+      double                 gap = 0.; ///< g [mm]
+      dealii::Tensor<1, dim> n;        ///< grad g, away from the obstacle
+      dealii::Tensor<2, dim> H;        ///< grad n, symmetric, H n = 0 [1/mm]
+    };
+
+    /** Where points of the obstacle are: x = origin + axes y, with y that do not
+     * change in time. */
+    struct Frame
+    {
+      dealii::Point<dim>     origin; ///< [mm]
+      dealii::Tensor<2, dim> axes;   ///< any, with an inverse
+    };
+
+    /** All formulas in t, to be tried at the start and looked at between load
+     * steps. */
+    virtual std::vector<Expression>
+    expressions() const = 0;
+
+    /** Why there is no such obstacle at time @p t, "'Radius' is -1": empty where
+     * there is. */
+    virtual std::string
+    unfit(const double t) const = 0;
+
+    /** The distance of @p x at time @p t. */
+    virtual Distance
+    distance(const dealii::Point<dim> &x, const LoadTime &t) const = 0;
+
+    /** Where points of the obstacle are at time @p t. */
+    virtual Frame
+    frame(const LoadTime &t) const = 0;
+
+    /** Where a point of the obstacle is at time @p t that is at @p x0 at time
+     * zero. */
+    dealii::Point<dim>
+    carried(const dealii::Point<dim> &x0, const LoadTime &t) const;
+
+    /** Where it is at time zero, if it is at @p x at time @p t: the inverse of
+     * carried(). */
+    dealii::Point<dim>
+    carried_back(const dealii::Point<dim> &x, const LoadTime &t) const;
+
+  protected:
+    /** The value of a formula in t alone; before the first load it is what it is
+     * at time zero. */
+    static double
+    value(const Expression &formula, const LoadTime &t);
+
+    /** The same of three formulas. */
+    static dealii::Point<dim>
+    value(const VectorExpression &formulas, const LoadTime &t);
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/contact/obstacle.h>
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/parameters/registry.h>
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <string>
+
+namespace lumbricus
+{
+  /**
+   * All that is outside of a pipe of the radius R(t): with the point c of its
+   * middle line that is nearest to x, and m = (x - c)/|x - c|,
+   *
+   *   g = R - |x - c|,   n = -m,
+   *   H = -(b x b)/|x - c| - k (m . e)/(1 + k (x - c) . e) a x a,
+   *
+   * where a is the direction of the middle line at c, b = a x m, k its curvature
+   * and e the direction away from the centre of its circle.
+   */
+  class Burrow : public Obstacle
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override
+    {
+      point.declare_parameter(prm,
+                              "[mm] Three expressions in the time t, separated "
+                              "by semicolons: a point of the middle line.");
+      radius.declare_parameter(prm, "[mm] An expression in the time t.");
+      const dealii::Patterns::List three(dealii::Patterns::Double(), dim, dim);
+      prm.add_parameter("Axis",
+                        axis,
+                        "[x, y, z] A vector along the middle line at 'Point', of "
+                        "any length but zero.",
+                        three);
+      prm.add_parameter("Curvature",
+                        curvature,
+                        "[1/mm] Of the middle line, a circle; 0 for a straight "
+                        "one.",
+                        dealii::Patterns::Double(0.));
+      prm.add_parameter("Bends towards",
+                        towards,
+                        "[x, y, z] A vector from 'Point' towards the side where "
+                        "the centre of the circle is.",
+                        three);
+    }
+
+    void
+    check_parameters() const override
+    {
+      AssertThrow(vector(axis).norm() > 0.,
+                  ExcParameter("Axis",
+                               "has no direction, because its length is zero. "
+                               "Give a vector like '1, 0, 0'."));
+      AssertThrow(curvature == 0. || inwards().norm() > 0.,
+                  ExcParameter("Bends towards",
+                               "is along 'Axis'. Give a vector across it."));
+      AssertThrow(curvature == 0. || radius.formula().find('t') ==
+                                       std::string::npos,
+                  ExcParameter("Radius",
+                               "changes in time, but a burrow with a 'Curvature' "
+                               "has a constant one."));
+    }
+
+    std::vector<Expression>
+    expressions() const override
+    {
+      std::vector<Expression> all = point.components();
+      all.push_back(radius);
+      return all;
+    }
+
+    std::string
+    unfit(const double t) const override
+    {
+      const double R = value(radius, t);
+      return R > 0. ? "" : "'Radius' is " + std::to_string(R);
+    }
+
+    Distance
+    distance(const dealii::Point<dim> &x, const LoadTime &t) const override
+    {
+      const dealii::Point<dim> P = value(point, t);
+      dealii::Tensor<1, dim>   a = vector(axis) / vector(axis).norm();
+      dealii::Tensor<1, dim>   to_axis, e;
+      if (curvature == 0.)
+        to_axis = (x - P) - ((x - P) * a) * a;
+      else
+        {
+          // In the plane of the circle, e points from its centre to x.
+          const auto in     = inwards() / inwards().norm();
+          const auto centre = P + in / curvature;
+          const auto up     = dealii::cross_product_3d(a, in);
+          e                 = (x - centre) - ((x - centre) * up) * up;
+          e /= e.norm();
+          to_axis = (x - centre) - e / curvature;
+          a       = dealii::cross_product_3d(e, up);
+        }
+      const double r = to_axis.norm();
+      Distance     found;
+      found.gap = value(radius, t) - r;
+      // On the middle line there is no direction out.
+      if (r == 0.)
+        return found;
+      const auto m = to_axis / r;
+      const auto b = dealii::cross_product_3d(a, m);
+      found.n      = -m;
+      found.H      = -dealii::outer_product(b, b) / r;
+      if (curvature > 0.)
+        found.H -= curvature * (m * e) / (1. + curvature * (to_axis * e)) *
+                   dealii::outer_product(a, a);
+      return found;
+    }
+
+    Frame
+    frame(const LoadTime &t) const override
+    {
+      const auto             a     = vector(axis) / vector(axis).norm();
+      const auto             along = dealii::outer_product(a, a);
+      dealii::Tensor<2, dim> one = dealii::unit_symmetric_tensor<dim, double>();
+      return {value(point, t), along + value(radius, t) * (one - along)};
+    }
+
+  private:
+    static dealii::Tensor<1, dim>
+    vector(const std::vector<double> &entries)
+    {
+      dealii::Tensor<1, dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = entries[d];
+      return result;
+    }
+
+    // Across the axis.
+    dealii::Tensor<1, dim>
+    inwards() const
+    {
+      const auto a = vector(axis) / vector(axis).norm();
+      return vector(towards) - (vector(towards) * a) * a;
+    }
+
+    VectorExpression    point     = {"Point", "0; 0; 0"};
+    Expression          radius    = {"Radius", "1"};
+    std::vector<double> axis      = {1., 0., 0.};
+    std::vector<double> towards   = {0., 0., 1.};
+    double              curvature = 0.;
+  };
+
+  static const Register<Obstacle, Burrow>
+    burrow("burrow", "the wall of a pipe that the body is in.");
+} // namespace lumbricus

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/contact/friction.h>
+#include <lumbricus/core/exceptions.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumbricus
+{
+  namespace
+  {
+    using dealii::outer_product;
+    using dealii::Tensor;
+
+    // Which entry of a list is of which direction.
+    constexpr unsigned int forwards = 0, backwards = 1, sideways = 2;
+
+    // A limit k of the traction and dk/dx.
+    struct Limit
+    {
+      double                 k;
+      dealii::Tensor<1, dim> dk;
+    };
+  } // namespace
+
+
+
+  void
+  Friction::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    const dealii::Patterns::List three(dealii::Patterns::Double(0.), dim, dim);
+    prm.add_parameter("Friction",
+                      coefficients,
+                      "[-] Coefficients of friction of what slides forward, "
+                      "backward and sideways: shear traction over pressure.",
+                      three);
+    prm.add_parameter("Forward",
+                      forward_vector,
+                      "[x, y, z] The direction that is forward, a vector of any "
+                      "length but zero: towards the head, which is at the "
+                      "smallest x.",
+                      dealii::Patterns::List(dealii::Patterns::Double(),
+                                             dim,
+                                             dim));
+    prm.add_parameter("Shear strength",
+                      strengths,
+                      "[N/mm^2] Friction without pressure, as of mucus: the "
+                      "shear traction at which the skin slides forward, "
+                      "backward and sideways.",
+                      three);
+    prm.add_parameter("Mucus thickness",
+                      thickness,
+                      "[mm] The shear strength is that where the skin touches, "
+                      "and falls linearly to zero where it is so far away.",
+                      dealii::Patterns::Double(1e-100));
+    setae_factor.declare_parameter(
+      prm,
+      "[-] A factor on backward friction and shear strength, an expression in "
+      "t, x, y, z (reference position), the number s of the segment, from 1 at "
+      "the head, and the number n of segments.");
+    prm.add_parameter("Elastic slip",
+                      given_slip,
+                      "[mm] How far the skin slips elastically before it "
+                      "slides; 0 for 2e-4 of the body's length.",
+                      dealii::Patterns::Double(0.));
+  }
+
+
+
+  void
+  Friction::check_parameters() const
+  {
+    AssertThrow(any_coefficient() || any_strength() || !(given_slip > 0.),
+                ExcParameter("Elastic slip",
+                             "is set, but nothing holds the skin. Set 'Friction' "
+                             "or 'Shear strength' too."));
+    double square = 0.;
+    for (const double entry : forward_vector)
+      square += entry * entry;
+    AssertThrow(square > 0.,
+                ExcParameter("Forward",
+                             "has no direction, because its length is zero. "
+                             "Give a vector like '-1, 0, 0'."));
+  }
+
+
+
+  void
+  Friction::initialize(const std::string & /*section*/,
+                       const Geometry &geometry)
+  {
+    setae_factor.initialize(geometry);
+    const auto sections = geometry.sections();
+    delta               = given_slip > 0. ?
+                            given_slip :
+                            2e-4 * std::abs(sections.back().end -
+                                            sections.front().begin);
+  }
+
+
+
+  Friction::Response
+  Friction::evaluate(const Point &point) const
+  {
+    Response               response;
+    const Tensor<1, dim>  &n = point.n, &d = point.way;
+    const Tensor<2, dim>   I = dealii::unit_symmetric_tensor<dim, double>();
+    const Tensor<2, dim>   P = I - outer_product(n, n);
+    const Tensor<1, dim>   s = P * d;
+    const double           length = s.norm();
+    // ds/dx with n that turns.
+    const Tensor<2, dim> ds =
+      P - (n * d) * point.H - outer_product(n, point.H * d);
+    response.s      = s;
+    response.slides = length > delta;
+
+    const double w      = mucus(point.gap);
+    const bool   fades  = w > 0. && w < 1.;
+    const auto   at     = [&](const unsigned int i) {
+      const double factor = i == backwards ? point.setae : 1.;
+      return Limit{factor * (coefficients[i] * point.p + strengths[i] * w),
+                   factor * (coefficients[i] * point.dp -
+                             (fades ? strengths[i] / thickness : 0.) * n)};
+    };
+    // Stiffness where there is no pressure yet, but will be.
+    const auto stiffness_of = [&](const unsigned int i) {
+      const double factor = i == backwards ? point.setae : 1.;
+      return response.slides ?
+               at(i).k :
+               std::max(at(i).k,
+                        factor * coefficients[i] * point.least_pressure);
+    };
+
+    // Where forward is along the normal all is sideways.
+    const Tensor<1, dim> f   = forward(n);
+    const bool           any = f.norm_square() > 0.;
+    const double         s_1 = f * s;
+    const unsigned int along = !any ? sideways : s_1 >= 0. ? forwards : backwards;
+    const Limit        k_1 = at(along), k_2 = at(sideways);
+    Tensor<2, dim>     df;
+    if (any)
+      {
+        Tensor<1, dim> vector;
+        for (unsigned int c = 0; c < dim; ++c)
+          vector[c] = forward_vector[c];
+        const Tensor<2, dim> dq =
+          -(n * vector) * point.H - outer_product(n, point.H * vector);
+        df = (I - outer_product(f, f)) * dq / (P * vector).norm();
+      }
+
+    const double         m  = std::max(delta, length);
+    const Tensor<1, dim> Ms = k_2.k * s + (k_1.k - k_2.k) * s_1 * f;
+    response.T              = -Ms / m;
+    const double stiff_1 = stiffness_of(along), stiff_2 = stiffness_of(sideways);
+    response.holds       = stiff_1 > 0. || stiff_2 > 0.;
+    const Tensor<1, dim> ds_1 = transpose(df) * s + transpose(ds) * f;
+    response.dT_dx = -(stiff_2 * ds + (stiff_1 - stiff_2) * outer_product(f, ds_1) +
+                       (k_1.k - k_2.k) * s_1 * df + outer_product(s, k_2.dk) +
+                       s_1 * outer_product(f, k_1.dk - k_2.dk)) /
+                     m;
+    if (response.slides)
+      response.dT_dx +=
+        outer_product(Ms, transpose(ds) * s) / (m * m * length);
+    return response;
+  }
+
+
+
+  Tensor<1, dim>
+  Friction::forward(const Tensor<1, dim> &n) const
+  {
+    Tensor<1, dim> vector;
+    for (unsigned int c = 0; c < dim; ++c)
+      vector[c] = forward_vector[c];
+    const Tensor<1, dim> f = vector - (vector * n) * n;
+    return f.norm() > 1e-8 * vector.norm() ? f / f.norm() : Tensor<1, dim>();
+  }
+
+
+
+  double
+  Friction::setae(const unsigned int        segment,
+                  const dealii::Point<dim> &X,
+                  const LoadTime           &t) const
+  {
+    return t.take(
+      [&](const double at) { return setae_factor.of(segment).value(X, at); },
+      1.);
+  }
+
+
+
+  double
+  Friction::mucus(const double gap) const
+  {
+    return any_strength() ? std::clamp(1. - gap / thickness, 0., 1.) : 0.;
+  }
+
+
+
+  bool
+  Friction::any_coefficient() const
+  {
+    return std::any_of(coefficients.begin(),
+                       coefficients.end(),
+                       [](const double mu) { return mu > 0.; });
+  }
+
+
+
+  bool
+  Friction::any_strength() const
+  {
+    return std::any_of(strengths.begin(), strengths.end(), [](const double c) {
+      return c > 0.;
+    });
+  }
+
+
+
+  bool
+  Friction::isotropic() const
+  {
+    const auto equal = [](const std::vector<double> &of) {
+      return of[forwards] == of[backwards] && of[forwards] == of[sideways];
+    };
+    return equal(coefficients) && equal(strengths) && setae_factor.text() == "1";
+  }
+} // namespace lumbricus

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/contact/obstacle.h>
+#include <lumbricus/parameters/registry.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <string>
+
+namespace lumbricus
+{
+  /** A ball, g = |x - x_0(t)| - R(t), with n = (x - x_0)/|x - x_0| and
+   * H = (I - n x n)/|x - x_0|. */
+  class Sphere : public Obstacle
+  {
+  public:
+    void
+    declare_parameters(dealii::ParameterHandler &prm) override
+    {
+      centre.declare_parameter(prm,
+                               "[mm] Three expressions in the time t, separated "
+                               "by semicolons.");
+      radius.declare_parameter(prm, "[mm] An expression in the time t.");
+    }
+
+    std::vector<Expression>
+    expressions() const override
+    {
+      std::vector<Expression> all = centre.components();
+      all.push_back(radius);
+      return all;
+    }
+
+    std::string
+    unfit(const double t) const override
+    {
+      const double R = value(radius, t);
+      return R > 0. ? "" : "'Radius' is " + std::to_string(R);
+    }
+
+    Distance
+    distance(const dealii::Point<dim> &x, const LoadTime &t) const override
+    {
+      const auto   d = x - value(centre, t);
+      const double r = d.norm();
+      Distance     found;
+      found.gap = r - value(radius, t);
+      // In its very centre there is no direction out.
+      found.n = r > 0. ? d / r : dealii::Point<dim>::unit_vector(0);
+      if (r > 0.)
+        found.H = (dealii::Tensor<2, dim>(
+                     dealii::unit_symmetric_tensor<dim, double>()) -
+                   dealii::outer_product(found.n, found.n)) /
+                  r;
+      return found;
+    }
+
+    Frame
+    frame(const LoadTime &t) const override
+    {
+      return {value(centre, t),
+              value(radius, t) *
+                dealii::Tensor<2, dim>(
+                  dealii::unit_symmetric_tensor<dim, double>())};
+    }
+
+  private:
+    VectorExpression centre = {"Centre", "0; 0; 0"};
+    Expression       radius = {"Radius", "1"};
+  };
+
+  static const Register<Obstacle, Sphere>
+    sphere("sphere", "a ball, with the body outside.");
+} // namespace lumbricus
