@@ -211,8 +211,12 @@ namespace lumbricus
           some_of(centers[condition(i).boundary], most_points);
         if (condition(i).surface_term() != nullptr)
           for (const Expression &expression : condition(i).type->expressions())
-            curves.push_back(
-              curve_of(condition(i).type_section, expression, points));
+            {
+              curves.push_back(
+                curve_of(condition(i).type_section, expression, points));
+              if (condition(i).type->is_there_at_rest() && !points.empty())
+                curves.back().at_rest = expression.value(points.front(), 0.);
+            }
         const auto *prescribed = condition(i).prescribed_displacement();
         for (unsigned int c = 0; c < dim; ++c)
           if (prescribed != nullptr && prescribed->components()[c])

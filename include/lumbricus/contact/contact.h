@@ -49,6 +49,12 @@ namespace lumbricus
     std::vector<Expression>
     expressions() const override;
 
+    bool
+    is_there_at_rest() const override
+    {
+      return true;
+    }
+
     /** Where a point of the skin stands to the obstacle. */
     struct Standing
     {

@@ -24,6 +24,14 @@ namespace lumbricus
     {
       return {};
     }
+
+    /** Whether what they say is there before the first load, as it is at time
+     * zero: so it is with obstacles, not with loads, which are zero then. */
+    virtual bool
+    is_there_at_rest() const
+    {
+      return false;
+    }
   };
 } // namespace lumbricus
 
