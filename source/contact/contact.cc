@@ -130,7 +130,8 @@ namespace lumbricus
   {
     const Standing found = standing(point);
     response.T           = found.p * found.n + found.friction.T;
-    response.dT_du       = found.dTn_du + found.friction.dT_dx;
+    response.dT_du       = found.dTn_du + found.friction.dT_dx +
+                     found.friction.stabilisation;
   }
 
 

@@ -19,6 +19,11 @@ namespace lumbricus
     // Which entry of a list is of which direction.
     constexpr unsigned int forwards = 0, backwards = 1, sideways = 2;
 
+    // Where all of a skin slides this part of the stiffness against slip is left,
+    // so that the tangent of a body that lies free has an inverse, and Newton's
+    // method still converges as well as it has to.
+    constexpr double part_of_stiffness = 1e-3;
+
     // A limit k of the traction and dk/dx.
     struct Limit
     {
@@ -126,15 +131,6 @@ namespace lumbricus
                    factor * (coefficients[i] * point.dp -
                              (fades ? strengths[i] / thickness : 0.) * n)};
     };
-    // Stiffness where there is no pressure yet, but will be.
-    const auto stiffness_of = [&](const unsigned int i) {
-      const double factor = i == backwards ? point.setae : 1.;
-      return response.slides ?
-               at(i).k :
-               std::max(at(i).k,
-                        factor * coefficients[i] * point.least_pressure);
-    };
-
     // Where forward is along the normal all is sideways.
     const Tensor<1, dim> f   = forward(n);
     const bool           any = f.norm_square() > 0.;
@@ -155,16 +151,32 @@ namespace lumbricus
     const double         m  = std::max(delta, length);
     const Tensor<1, dim> Ms = k_2.k * s + (k_1.k - k_2.k) * s_1 * f;
     response.T              = -Ms / m;
-    const double stiff_1 = stiffness_of(along), stiff_2 = stiffness_of(sideways);
-    response.holds       = stiff_1 > 0. || stiff_2 > 0.;
     const Tensor<1, dim> ds_1 = transpose(df) * s + transpose(ds) * f;
-    response.dT_dx = -(stiff_2 * ds + (stiff_1 - stiff_2) * outer_product(f, ds_1) +
-                       (k_1.k - k_2.k) * s_1 * df + outer_product(s, k_2.dk) +
-                       s_1 * outer_product(f, k_1.dk - k_2.dk)) /
-                     m;
+    response.dT_dx =
+      -(k_2.k * ds + (k_1.k - k_2.k) * (outer_product(f, ds_1) + s_1 * df) +
+        outer_product(s, k_2.dk) + s_1 * outer_product(f, k_1.dk - k_2.dk)) /
+      m;
     if (response.slides)
-      response.dT_dx +=
-        outer_product(Ms, transpose(ds) * s) / (m * m * length);
+      {
+        response.dT_dx +=
+          outer_product(Ms, transpose(ds) * s) / (m * m * length);
+        response.stabilisation =
+          -part_of_stiffness * outer_product(Ms, s) / (delta * length * length);
+      }
+    else
+      {
+        const auto missing = [&](const Limit &limit, const unsigned int i) {
+          return std::max(0.,
+                          (i == backwards ? point.setae : 1.) *
+                              coefficients[i] * point.least_pressure -
+                            limit.k);
+        };
+        const double more_1 = missing(k_1, along), more_2 = missing(k_2, sideways);
+        response.stabilisation =
+          -(more_2 * P + (more_1 - more_2) * outer_product(f, f)) / delta;
+      }
+    response.holds = k_1.k > 0. || k_2.k > 0. ||
+                     response.stabilisation.norm_square() > 0.;
     return response;
   }
 

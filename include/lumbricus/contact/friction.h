@@ -45,8 +45,8 @@ namespace lumbricus
       double                 p;      ///< pressure [N/mm^2]
       dealii::Tensor<1, dim> dp;     ///< dp/dx [N/mm^3]
       double                 setae;  ///< factor on backward friction
-      /** No stiffness against slip is less than that of this pressure where the
-       * point sticks; 0 for none. In the derivative only [N/mm^2]. */
+      /** What Response::stabilisation makes a point that sticks at least as stiff
+       * against slip as: this pressure; 0 for none [N/mm^2]. */
       double least_pressure;
     };
 
@@ -58,7 +58,11 @@ namespace lumbricus
       /** k_1, k_2 at least one of which is not zero. */
       bool                   holds = false;
       dealii::Tensor<1, dim> T;     ///< [N/mm^2]
-      dealii::Tensor<2, dim> dT_dx; ///< [N/mm^3]
+      dealii::Tensor<2, dim> dT_dx; ///< exact [N/mm^3]
+      /** To be added to the derivative, not to the traction, where a body lies
+       * free: a skin without pressure yet, or that slides all over, is not held
+       * by dT_dx [N/mm^3]. */
+      dealii::Tensor<2, dim> stabilisation;
     };
 
     /** The traction at @p point. */
