@@ -9,6 +9,7 @@ it is installed; and lumbricus-plot draws that geometry."""
 import csv
 import math
 import os
+import shutil
 import subprocess
 
 import pytest
@@ -20,6 +21,10 @@ EXAMPLE = SOURCE / "examples" / "own_parts"
 ENTRY = "Additional shared libraries"
 
 NO_LINKER = "-fuse-ld=no_such_linker"
+
+# The files of a target are compiled together and without debug info, in less than
+# half the time: sources/test_includes sees that each has its own headers.
+QUICK = ["-DCMAKE_UNITY_BUILD=ON", "-DLUMBRICUS_DEBUG_INFO=OFF"]
 
 
 def cmake(*arguments):
@@ -69,11 +74,26 @@ def mine(tmp_path_factory, package):
     deal_ii = deal_ii_without_linker(base / "deal.II")
     said = cmake("-S", EXAMPLE, "-B", base / "build",
                  "-G", os.environ["GENERATOR"], f"-Ddeal.II_DIR={deal_ii}",
-                 f"-DLumbricus_DIR={package}")
+                 f"-DLumbricus_DIR={package}", *QUICK)
     assert f"a linker that is missing ({NO_LINKER})" in said
     assert said.count(f"a linker that is missing ({NO_LINKER})") == 1
     cmake("--build", base / "build")
     return base / "build" / "my_lumbricus"
+
+
+@pytest.fixture(scope="module")
+def whole(mine, tmp_path_factory):
+    """whole(case, ranks): the folder of a run of that program which nothing happens
+    to; each is made once."""
+    base = tmp_path_factory.mktemp("whole")
+
+    def folder_of(case, ranks):
+        folder = base / f"{case}-{ranks}"
+        if not folder.exists():
+            run(mine, EXAMPLE / case, "--output", folder, ranks=ranks)
+        return folder
+
+    return folder_of
 
 
 def rows_of(table):
@@ -97,17 +117,16 @@ def stress_at(l):
     return 0.1 * math.exp(0.5 * (l * l + 2 / l - 3)) * (l * l - 1 / l)
 
 
-def test_parts_of_another_project(mine, installed, tmp_path):
+def test_parts_of_another_project(mine, whole, installed, tmp_path):
     # The law: a bar that is pulled.
-    run(mine, EXAMPLE / "case.prm", "--output", tmp_path / "law")
-    for row in rows_of(tmp_path / "law" / "points.csv"):
+    for row in rows_of(whole("case.prm", 1) / "points.csv"):
         l = 1 + row["t"]
         assert abs(row["sxx"] - stress_at(l)) < 1e-8
     assert l == 2
 
     # The geometry and the activation: nothing holds it, so it is as long as its
     # fibres want to be, and keeps the volume of a frustum.
-    run(mine, EXAMPLE / "twitch.prm", "--output", tmp_path / "twitch")
+    shutil.copytree(whole("twitch.prm", 1), tmp_path / "twitch")
     rows = rows_of(tmp_path / "twitch" / "segments.csv")
     assert len(rows) == 5
     for row in rows:
@@ -219,10 +238,9 @@ def check_dragged(folder, end):
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
-def test_a_skin_that_remembers_over_a_restart(mine, tmp_path, ranks):
+def test_a_skin_that_remembers_over_a_restart(mine, whole, tmp_path, ranks):
     case = EXAMPLE / "sticky.prm"
-    run(mine, case, "--output", tmp_path / "whole", ranks=ranks)
-    u, forces = check_dragged(tmp_path / "whole", 4)
+    u, forces = check_dragged(whole("sticky.prm", ranks), 4)
     # It sticks and slips, both ways, and comes back to where it was not before.
     assert min(forces) == pytest.approx(-0.02) and max(forces) == pytest.approx(0.02)
     assert sum(abs(force) < 0.019 for force in forces) > 10
@@ -235,7 +253,7 @@ def test_a_skin_that_remembers_over_a_restart(mine, tmp_path, ranks):
         run(mine, "--restart", cut, "--set", f"Time/End={end}", ranks=3 - ranks)
         check_dragged(cut, end)
     for row, other in zip(rows_of(cut / "points.csv"),
-                          rows_of(tmp_path / "whole" / "points.csv")):
+                          rows_of(whole("sticky.prm", ranks) / "points.csv")):
         assert row["t"] == other["t"] and abs(row["ux"] - other["ux"]) < 1e-12
 
     # What a run remembers cannot be left out, nor asked for too late.
@@ -264,7 +282,7 @@ def test_a_table_whose_name_is_taken(package, tmp_path):
         "set_property(TARGET taken APPEND PROPERTY\n"
         "  LINK_LIBRARIES Lumbricus::lumbricus)\n")
     cmake("-S", tmp_path, "-B", tmp_path / "build",
-          "-G", os.environ["GENERATOR"], f"-DLumbricus_DIR={package}")
+          "-G", os.environ["GENERATOR"], f"-DLumbricus_DIR={package}", *QUICK)
     cmake("--build", tmp_path / "build")
     process = subprocess.run([tmp_path / "build" / "taken",
                               SOURCE / "tests" / "errors" / "block.prm",
@@ -305,17 +323,17 @@ def check_near(rows, expected, tolerance):
 
 @pytest.mark.parametrize("case", ["case.prm", "twitch.prm", "sticky.prm"])
 @pytest.mark.parametrize("ranks", [1, 2])
-def test_the_library_gives_what_the_program_gives(case, ranks, mine, installed,
-                                                  tmp_path):
+def test_the_library_gives_what_the_program_gives(case, ranks, mine, whole,
+                                                  installed, tmp_path):
     program = program_of(installed)
     library = ["--set", f"{ENTRY}={mine.parent / 'libmy_parts.so'}"]
     assert "The input is valid" in run(program, "--check", EXAMPLE / case, *library,
                                        ranks=ranks)
-    run(mine, EXAMPLE / case, "--output", tmp_path / "theirs", ranks=ranks)
+    theirs = whole(case, ranks)
     run(program, EXAMPLE / case, "--output", tmp_path / "ours", *library, ranks=ranks)
-    expected = untimed_rows(tmp_path / "theirs", "segments.csv")
+    expected = untimed_rows(theirs, "segments.csv")
     if ranks == 1:
-        assert contents(tmp_path / "ours") == contents(tmp_path / "theirs")
+        assert contents(tmp_path / "ours") == contents(theirs)
     else:
         # MUMPS takes messages as they come.
         check_near(untimed_rows(tmp_path / "ours", "segments.csv"), expected, 1e-9)

@@ -40,14 +40,24 @@ def go_on(folder):
               *(part for setting in SETTINGS for part in ("--set", setting)))
 
 
+def words_in(folder):
+    """How long the log of a run is."""
+    log = folder / "log.txt"
+    return log.stat().st_size if log.exists() else 0
+
+
 def test_random_kills(tmp_path, reference):
     random.seed(20)
     duration = reference.steps()[-1]["elapsed_seconds"]
     n_kills, n_runs = 0, 0
     folder = tmp_path / "0"
+    before = 0
     process = go_on(folder)
     while n_kills < N_KILLS:
-        time.sleep(0.8 + 0.3 * duration * random.random())
+        # What the start takes depends on what runs beside it.
+        while words_in(folder) == before and process.poll() is None:
+            time.sleep(0.01)
+        time.sleep(0.3 * duration * random.random())
         if process.poll() is None:
             random.choice((kill_one, kill_all))(process)
             n_kills += 1
@@ -56,6 +66,7 @@ def test_random_kills(tmp_path, reference):
             assert differences(finish(process, folder), reference) < 1e-12
             n_runs += 1
             folder = tmp_path / str(n_runs)
+        before = words_in(folder)
         process = go_on(folder)
     run = finish(process, folder)
     assert run.exit_code == 0, run.message

@@ -54,11 +54,16 @@ LOCAL = ["Mesh/Local refinements=1", "Mesh/Refine where=x-5",
          "Reset/Least=60"]
 
 
+@pytest.fixture(scope="module")
+def coarse(tmp_path_factory):
+    return run_well(CASES / "figure3" / "slip.prm",
+                    tmp_path_factory.mktemp("coarse"))
+
+
 @pytest.mark.parametrize("ranks", [1, 2])
-def test_slip_with_hanging_nodes(tmp_path, ranks):
+def test_slip_with_hanging_nodes(tmp_path, coarse, ranks):
     """Hanging nodes on both sides of the interface: a hydrostatic liquid is in
     equilibrium there too, and refinement keeps the volume at rest."""
-    coarse = run_well(CASES / "figure3" / "slip.prm", tmp_path / "coarse")
     fine = run_well(CASES / "figure3" / "slip.prm", tmp_path / "fine", LOCAL,
                     ranks)
     assert divergences(fine.folder)[-1] < 1e-7
@@ -70,8 +75,15 @@ def test_slip_with_hanging_nodes(tmp_path, ranks):
         coarse.last()["mid_radius"], rel=1e-4)
 
 
+@pytest.fixture(scope="module")
+def tied(tmp_path_factory):
+    return run_well(
+        pathlib.Path(__file__).parent / "segment.prm",
+        tmp_path_factory.mktemp("tied"), ["Time/End=0.4"], ranks=2)
+
+
 @pytest.mark.parametrize("section", ["quarter", "full"])
-def test_slip_in_corners(tmp_path, section):
+def test_slip_in_corners(tmp_path, tied, section):
     """One closed segment: the liquid stays in the corners of wall and cap, and
     a full section's liquid, which could spin, is held."""
     chain = "Geometry/segment chain/"
@@ -84,9 +96,6 @@ def test_slip_in_corners(tmp_path, section):
     assert last["eta"] < 1e-3
     for volume in ("fluid_volume", "wall_volume"):
         assert last[volume] == pytest.approx(first[volume], rel=1e-8)
-    tied = run_well(
-        pathlib.Path(__file__).parent / "segment.prm", tmp_path / "tied",
-        ["Time/End=0.4"], ranks=2)
     for shape in ("length", "mid_radius"):
         assert last[shape] == pytest.approx(tied.last()[shape], rel=5e-3)
 

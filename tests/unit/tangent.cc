@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <memory>
 #include <string>
 
 #include "read_plugin.h"
@@ -177,9 +179,25 @@ end
   {
   protected:
     Tangents()
-      : body(segment + GetParam())
+      : body(sample())
     {
       body.model->assembler.linearise(body.state.solution, body.state.time);
+    }
+
+    // None of the tests changes it.
+    static Sample &
+    sample()
+    {
+      auto &sample = samples[GetParam()];
+      if (!sample)
+        sample = std::make_unique<Sample>(segment + GetParam());
+      return *sample;
+    }
+
+    static void
+    TearDownTestSuite()
+    {
+      samples.clear();
     }
 
     const Tangent &
@@ -188,7 +206,10 @@ end
       return body.model->assembler.tangent();
     }
 
-    Sample body;
+    // Making one takes longer than most tests.
+    static inline std::map<std::string, std::unique_ptr<Sample>> samples;
+
+    Sample &body;
   };
 
   INSTANTIATE_TEST_SUITE_P(Loads,
