@@ -203,7 +203,8 @@ namespace lumbricus
       const auto there = shape->distance(x_a, point.t);
       x_a += (gap - there.gap) * there.n;
     };
-    const bool presses = found.p > 0.;
+    // At rest x_a is x to rounding, wherever that is.
+    const bool presses = found.p > just_touches * stiffness * scale.thickness;
     if (!found.friction.holds || (!presses && friction_law.mucus(found.gap) == 0.))
       x_a = x;
     else if (found.friction.slides)

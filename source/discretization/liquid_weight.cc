@@ -49,17 +49,26 @@ namespace lumbricus
   {
     of_segment.assign(body.anatomy.geometry().n_segments(), Chamber());
     gravities.assign(forces.n_forces(), dealii::Tensor<1, dim>());
-    if (gravities.empty())
-      return;
-    const auto all = moments(nullptr);
+    if (!gravities.empty())
+      of_segment = chambers_at(nullptr);
+  }
+
+
+
+  std::vector<LiquidWeight::Chamber>
+  LiquidWeight::chambers_at(const Vector *relevant_solution)
+  {
+    const auto           all = moments(relevant_solution);
+    std::vector<Chamber> found(all.size());
     for (unsigned int s = 0; s < all.size(); ++s)
       if (all[s][0] > 0.)
         {
-          of_segment[s].density = density(s);
-          of_segment[s].volume  = all[s][0];
+          found[s].density = density(s);
+          found[s].volume  = all[s][0];
           for (unsigned int c = 0; c < dim; ++c)
-            of_segment[s].centre[c] = all[s][1 + c] / all[s][0];
+            found[s].centre[c] = all[s][1 + c] / all[s][0];
         }
+    return found;
   }
 
 

@@ -194,10 +194,47 @@ namespace lumbricus
 
 
   void
-  SurfaceTerms::visit(const OwnedCell &owned,
+  SurfaceTerms::visit(const OwnedCell &cell,
                       const double (&u)[dim][ShapeCache::padded_nodes],
                       const LoadTime &t,
                       const Listener &listener)
+  {
+    for_each_point(cell,
+                   u,
+                   t,
+                   [&](const unsigned int  number,
+                       const SurfaceTerm  &term,
+                       const SurfacePoint &at) {
+                     SurfaceResponse response;
+                     term.surface(at, response);
+                     listener(number, response);
+                   });
+  }
+
+
+
+  void
+  SurfaceTerms::visit_points(const OwnedCell &cell,
+                             const double (&u)[dim][ShapeCache::padded_nodes],
+                             const LoadTime      &t,
+                             const PointListener &listener)
+  {
+    for_each_point(cell,
+                   u,
+                   t,
+                   [&](const unsigned int number,
+                       const SurfaceTerm & /*term*/,
+                       const SurfacePoint &at) { listener(number, at); });
+  }
+
+
+
+  template <typename Function>
+  void
+  SurfaceTerms::for_each_point(const OwnedCell &owned,
+                               const double (&u)[dim][ShapeCache::padded_nodes],
+                               const LoadTime &t,
+                               const Function &function)
   {
     const auto &cell = owned.iterator;
     for (const unsigned int f : cell->face_indices())
@@ -226,9 +263,7 @@ namespace lumbricus
                 at.segment = owned.region.segment;
                 if (memory != nullptr)
                   at.history = (*memory)[node_of(*current)];
-                SurfaceResponse response;
-                term.surface(at, response);
-                listener(number, response);
+                function(number, term, at);
               }
           }
       }

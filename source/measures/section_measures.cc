@@ -139,8 +139,9 @@ namespace lumbricus
     std::vector<SectionMeasures> measures;
     for (Sums &sum : sums)
       {
-        dealii::Tensor<1, dim> axis =
-          sum.position[1] / sum.area[1] - sum.position[0] / sum.area[0];
+        const auto             begin = sum.position[0] / sum.area[0];
+        const auto             end   = sum.position[1] / sum.area[1];
+        dealii::Tensor<1, dim> axis  = end - begin;
         double images = 1.;
         for (const SymmetryPlane &plane : geometry.symmetry_planes())
           if (plane.direction != 0)
@@ -153,7 +154,9 @@ namespace lumbricus
         measures.push_back({axis.norm(),
                             area > 0. ?
                               std::sqrt(area / dealii::numbers::PI) :
-                              std::numeric_limits<double>::quiet_NaN()});
+                              std::numeric_limits<double>::quiet_NaN(),
+                            begin[0],
+                            end[0]});
       }
     return measures;
   }

@@ -83,8 +83,14 @@ namespace lumbricus
 
 
   void
-  OutputParts::initialize(const Anatomy &anatomy)
+  OutputParts::initialize(const Anatomy            &anatomy,
+                          const BoundaryConditions &conditions)
   {
+    empty_tables.clear();
+    for (const auto &[name, table] : all_tables)
+      if (!table->applies_to(conditions))
+        empty_tables.insert(name);
+
     // Where two have the same place they are in the order of their names.
     std::vector<std::pair<std::string, const Field *>> in_order;
     for (const auto &[name, field] : all_fields)
@@ -130,7 +136,7 @@ namespace lumbricus
   {
     std::map<std::string, Table *> wanted;
     for (const auto &[name, table] : all_tables)
-      if (table->is_wanted())
+      if (table->is_wanted() && empty_tables.count(name) == 0)
         wanted[name + ".csv"] = table.get();
     return wanted;
   }

@@ -64,20 +64,6 @@ namespace lumbricus
 
 
 
-    // Where a plane of symmetry is, along its normal [mm].
-    double
-    place_of(const SymmetryPlane &plane, const dealii::Triangulation<dim> &mesh)
-    {
-      for (const auto &cell : mesh.cell_iterators_on_level(0))
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              cell->face(f)->boundary_id() == plane.boundary)
-            return cell->face(f)->center()[plane.direction];
-      return 0.;
-    }
-
-
-
     JsonValue
     tissues_of(const Anatomy &anatomy)
     {
@@ -237,7 +223,7 @@ namespace lumbricus
     for (const SymmetryPlane &plane : geometry.symmetry_planes())
       planes.append(JsonValue::object()
                       .add("normal", axis_name(plane.direction))
-                      .add("position", place_of(plane, mesh)));
+                      .add("position", plane.position(mesh)));
     body = JsonValue::object()
              .add("dimension", dim)
              .add("axis", axis_name(0))

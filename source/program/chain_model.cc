@@ -216,6 +216,30 @@ namespace lumbricus
 
 
 
+  std::vector<ContactState>
+  ChainModel::contacts_of_body(const State &state)
+  {
+    surface_terms.set_to(state);
+    return contact_states(body,
+                          parameters.boundary_conditions,
+                          surface_terms,
+                          state.solution,
+                          state.time);
+  }
+
+
+
+  BodyMotion
+  ChainModel::motion_of_body(const State &state)
+  {
+    return body_motion(body,
+                       parameters.boundary_conditions,
+                       liquid_weight,
+                       state.solution);
+  }
+
+
+
   void
   ChainModel::end_step(State &state) const
   {

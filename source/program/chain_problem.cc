@@ -92,6 +92,8 @@ namespace lumbricus
       go_on_from(*checkpoint);
     model.references.update(first_state);
     model.liquid_weight.set_time(first_state.time);
+    first_step.contacts = model.contacts_of_body(first_state);
+    first_step.motion   = model.motion_of_body(first_state);
     if (checkpoint == nullptr)
       results->write(first_state, first_step);
   }
@@ -203,6 +205,10 @@ namespace lumbricus
         if (parameters.adaptivity.due(record.number))
           adapt(next, record);
         record.external_forces = model.forces_on_body(next);
+        record.contacts        = model.contacts_of_body(next);
+        record.motion          = model.motion_of_body(next);
+        record.motion.speed =
+          (record.motion.stride - step.motion.stride) / record.size;
         record.softest_stiffness =
           parameters.stability_watch.look(model, next, log);
         model.end_step(next);

@@ -104,7 +104,7 @@ namespace lumbricus
     boundary_conditions.initialize(anatomy.geometry());
     body_forces.initialize(anatomy.geometry());
     cavity_contents.initialize();
-    output_parts.initialize(anatomy);
+    output_parts.initialize(anatomy, boundary_conditions);
     continuation.get()->initialize(*this);
   }
 

@@ -105,6 +105,12 @@ namespace lumbricus
       return of_segment;
     }
 
+    /** The same of every segment as it is at @p relevant_solution, a ghosted
+     * vector, or at rest where that is null: there also where nothing has
+     * weight. Collective. */
+    std::vector<Chamber>
+    chambers_at(const Vector *relevant_solution);
+
     /** q at @p x, in the liquid of segment @p segment, of all weights. */
     double
     excess(const unsigned int segment, const dealii::Point<dim> &x) const;

@@ -29,6 +29,10 @@ namespace lumbricus
     using Listener =
       std::function<void(const unsigned int, const SurfaceResponse &)>;
 
+    /** Called with the number of a condition, and what it may depend on. */
+    using PointListener =
+      std::function<void(const unsigned int, const SurfacePoint &)>;
+
     /** Both arguments are kept by reference. */
     SurfaceTerms(const Body &body, const BoundaryConditions &conditions);
 
@@ -85,6 +89,13 @@ namespace lumbricus
           const LoadTime &t,
           const Listener &listener);
 
+    /** Call @p listener there with what the terms are asked with. */
+    void
+    visit_points(const OwnedCell &cell,
+                 const double (&u)[dim][ShapeCache::padded_nodes],
+                 const LoadTime      &t,
+                 const PointListener &listener);
+
     /** Where the listener is called, with the nodes around. */
     const SurfaceKernel &
     point() const;
@@ -93,6 +104,14 @@ namespace lumbricus
     /** What the nodes of a cell remember: [n]. */
     using AtNodes =
       std::array<dealii::Tensor<1, dim>, MixedSpace::n_nodes>;
+
+    /** Call @p function(condition, term, point) where visit() says. */
+    template <typename Function>
+    void
+    for_each_point(const OwnedCell &cell,
+                   const double (&u)[dim][ShapeCache::padded_nodes],
+                   const LoadTime &t,
+                   const Function &function);
 
     /** Call @p function(cell, numbers) for all owned cells where conditions
      * remember, with the numbers of these. */

@@ -69,6 +69,17 @@ namespace lumbricus
     dealii::types::boundary_id boundary;
     /** The axis it is normal to: 0, 1, 2 for x, y, z. */
     unsigned int direction;
+
+    /** Where it is along its normal, in @p mesh, that of the body [mm]. */
+    double
+    position(const dealii::Triangulation<dim> &mesh) const
+    {
+      for (const auto &cell : mesh.cell_iterators_on_level(0))
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() && face->boundary_id() == boundary)
+            return face->center()[direction];
+      return 0.;
+    }
   };
 
 

@@ -19,6 +19,8 @@ namespace lumbricus
      * where no mesh faces lie in that section.
      */
     double mid_radius;
+    double begin; ///< the mean x of that end section towards the head
+    double end;   ///< the mean x of the one towards the tail
   };
 
   /** The measures of every segment at @p relevant_solution, a ghosted vector.

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,10 +35,12 @@ namespace lumbricus
     void
     check_parameters() const override;
 
-    /** Name the arrays of the fields, by the muscles of @p anatomy. Throws
-     * ExcInput where two have the same name. */
+    /** Name the arrays of the fields, by the muscles of @p anatomy, and leave out
+     * what has nothing to say where these conditions act. Throws ExcInput where
+     * two fields have the same name. */
     void
-    initialize(const Anatomy &anatomy);
+    initialize(const Anatomy            &anatomy,
+               const BoundaryConditions &conditions);
 
     /** Let all tables look at the first mesh of a run. Throws ExcInput.
      * @return what to tell the user, in lines. Collective. */
@@ -45,7 +48,7 @@ namespace lumbricus
     check(const MixedSpace &space) const;
 
     /** The tables that the parameters ask for, by their files: in the order of
-     * the names. */
+     * the names. After initialize(). */
     std::map<std::string, Table *>
     tables() const;
 
@@ -69,6 +72,8 @@ namespace lumbricus
   private:
     std::map<std::string, std::unique_ptr<Table>> all_tables;
     std::map<std::string, std::unique_ptr<Field>> all_fields;
+    /** Names of tables without anything to write. */
+    std::set<std::string>                         empty_tables;
     Choice<OutputFormat>                          format_choice;
     std::vector<FieldArray>                       arrays;
   };

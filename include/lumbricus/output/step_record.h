@@ -3,6 +3,8 @@
 #define lumbricus_output_step_record_h
 
 #include <lumbricus/equilibrium/reset_iteration.h>
+#include <lumbricus/measures/body_motion.h>
+#include <lumbricus/measures/contact_state.h>
 #include <lumbricus/measures/external_forces.h>
 
 #include <cstddef>
@@ -61,6 +63,10 @@ namespace lumbricus
     ResetIteration::Report report;
     /** Of all loads and supports after it; empty for the state of rest. */
     std::vector<ExternalForce> external_forces;
+    /** What obstacles do to each segment after it. */
+    std::vector<ContactState> contacts;
+    /** Where the body is after it. */
+    BodyMotion motion;
     /** The adaptations of the mesh after it. */
     std::vector<AdaptationRecord> adaptations;
 

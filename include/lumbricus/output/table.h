@@ -5,6 +5,7 @@
 #include <lumbricus/output/output_context.h>
 #include <lumbricus/output/table_rows.h>
 #include <lumbricus/parameters/parameter_owner.h>
+#include <lumbricus/terms/boundary_conditions.h>
 
 #include <string>
 #include <vector>
@@ -28,6 +29,15 @@ namespace lumbricus
     /** Whether the parameters ask for it; if not there is no file. */
     virtual bool
     is_wanted() const
+    {
+      return true;
+    }
+
+    /** Whether there is anything to write where these conditions act; if not
+     * there is no file either. Asked when all parameters have been
+     * initialized. */
+    virtual bool
+    applies_to(const BoundaryConditions & /*conditions*/) const
     {
       return true;
     }

@@ -6,6 +6,8 @@
 #include <lumbricus/checkpoint/checkpoint.h>
 #include <lumbricus/discretization/assembler.h>
 #include <lumbricus/equilibrium/equilibrium.h>
+#include <lumbricus/measures/body_motion.h>
+#include <lumbricus/measures/contact_state.h>
 #include <lumbricus/measures/external_forces.h>
 #include <lumbricus/program/run_parameters.h>
 
@@ -70,6 +72,15 @@ namespace lumbricus
      * found. Collective. */
     std::vector<ExternalForce>
     forces_on_body(const State &state);
+
+    /** What obstacles do to each segment at @p state, before end_step().
+     * Collective. */
+    std::vector<ContactState>
+    contacts_of_body(const State &state);
+
+    /** Where the body is at @p state, without a speed. Collective. */
+    BodyMotion
+    motion_of_body(const State &state);
 
     /** The load step that has led to @p state is complete: let it remember what
      * it has to. Collective. */
