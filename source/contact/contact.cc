@@ -104,23 +104,33 @@ namespace lumbricus
     const double closing = found.anchor_gap - found.gap;
     found.touches        = closing > -just_touches * scale.thickness;
     found.p              = stiffness * std::max(closing, 0.);
+    found.H              = here.H;
+    if (found.touches)
+      found.dTn_du = -stiffness * dealii::outer_product(here.n, here.n) +
+                     found.p * here.H;
+    if (may_slide())
+      found.friction = friction_law.evaluate(friction_point(point, found));
+    return found;
+  }
+
+
+
+  Friction::Point
+  Contact::friction_point(const SurfacePoint &point, const Standing &found) const
+  {
     Friction::Point at;
+    at.n   = found.n;
+    at.H   = found.H;
+    at.way = point.X + point.u - found.anchor;
+    at.gap = found.gap;
+    at.p   = found.p;
     if (found.touches)
       {
-        at.dp        = -stiffness * here.n;
-        found.dTn_du = dealii::outer_product(here.n, at.dp) + found.p * here.H;
+        at.dp             = -stiffness * found.n;
+        at.least_pressure = least_pressure * scale.shear_modulus;
       }
-    if (!may_slide())
-      return found;
-    at.n     = here.n;
-    at.H     = here.H;
-    at.way   = x - found.anchor;
-    at.gap   = found.gap;
-    at.p     = found.p;
     at.setae = friction_law.setae(point.segment, point.X, point.t);
-    at.least_pressure = found.touches ? least_pressure * scale.shear_modulus : 0.;
-    found.friction    = friction_law.evaluate(at);
-    return found;
+    return at;
   }
 
 
@@ -148,6 +158,19 @@ namespace lumbricus
   Contact::may_slide() const
   {
     return friction_law.any_coefficient() || friction_law.any_strength();
+  }
+
+
+
+  double
+  Contact::pull_back(const SurfacePoint &point, const Tensor<1, dim> &du) const
+  {
+    if (!may_slide())
+      return 0.;
+    const Standing  found = standing(point);
+    Friction::Point at    = friction_point(point, found);
+    at.way += du;
+    return (found.friction.T - friction_law.evaluate(at).T) * du;
   }
 
 
@@ -208,8 +231,7 @@ namespace lumbricus
     if (!found.friction.holds || (!presses && friction_law.mucus(found.gap) == 0.))
       x_a = x;
     else if (found.friction.slides)
-      x_a += (1. - friction_law.elastic_slip() / found.friction.s.norm()) *
-             found.friction.s;
+      x_a += found.friction.s - found.friction.kept;
     lift(presses ? found.anchor_gap : 0.);
     history = history_of(x_a, point);
   }

@@ -116,29 +116,28 @@ namespace lumbricus
     const Tensor<2, dim>   I = dealii::unit_symmetric_tensor<dim, double>();
     const Tensor<2, dim>   P = I - outer_product(n, n);
     const Tensor<1, dim>   s = P * d;
-    const double           length = s.norm();
     // ds/dx with n that turns.
     const Tensor<2, dim> ds =
       P - (n * d) * point.H - outer_product(n, point.H * d);
     response.s      = s;
-    response.slides = length > delta;
+    response.kept   = s;
 
     const double w      = mucus(point.gap);
     const bool   fades  = w > 0. && w < 1.;
-    const auto   at     = [&](const unsigned int i) {
-      const double factor = i == backwards ? point.setae : 1.;
-      return Limit{factor * (coefficients[i] * point.p + strengths[i] * w),
-                   factor * (coefficients[i] * point.dp -
-                             (fades ? strengths[i] / thickness : 0.) * n)};
+    const auto   factor = [&](const unsigned int i) {
+      return i == backwards ? point.setae : 1.;
     };
+    const auto limit = [&](const unsigned int i) {
+      return Limit{factor(i) * (coefficients[i] * point.p + strengths[i] * w),
+                   factor(i) * (coefficients[i] * point.dp -
+                                (fades ? strengths[i] / thickness : 0.) * n)};
+    };
+
     // Where forward is along the normal all is sideways.
     const Tensor<1, dim> f   = forward(n);
-    const bool           any = f.norm_square() > 0.;
     const double         s_1 = f * s;
-    const unsigned int along = !any ? sideways : s_1 >= 0. ? forwards : backwards;
-    const Limit        k_1 = at(along), k_2 = at(sideways);
-    Tensor<2, dim>     df;
-    if (any)
+    Tensor<2, dim>       df;
+    if (f.norm_square() > 0.)
       {
         Tensor<1, dim> vector;
         for (unsigned int c = 0; c < dim; ++c)
@@ -147,35 +146,61 @@ namespace lumbricus
           -(n * vector) * point.H - outer_product(n, point.H * vector);
         df = (I - outer_product(f, f)) * dq / (P * vector).norm();
       }
-
-    const double         m  = std::max(delta, length);
-    const Tensor<1, dim> Ms = k_2.k * s + (k_1.k - k_2.k) * s_1 * f;
-    response.T              = -Ms / m;
     const Tensor<1, dim> ds_1 = transpose(df) * s + transpose(ds) * f;
-    response.dT_dx =
-      -(k_2.k * ds + (k_1.k - k_2.k) * (outer_product(f, ds_1) + s_1 * df) +
-        outer_product(s, k_2.dk) + s_1 * outer_product(f, k_1.dk - k_2.dk)) /
-      m;
-    if (response.slides)
+    const Tensor<1, dim> s_2  = s - s_1 * f;
+    const Tensor<2, dim> ds_2 = ds - outer_product(f, ds_1) - s_1 * df;
+
+    const bool  is_forward = s_1 >= 0.;
+    const Limit k_1        = limit(is_forward ? forwards : backwards);
+    const Limit other      = limit(is_forward ? backwards : forwards);
+    const Limit k_2        = limit(sideways);
+    // Nothing holds what may slide freely in its direction.
+    const bool  is_held = k_1.k > 1e-12 * other.k;
+    const Limit K = !is_held ? Limit{0., {}} : k_1.k >= other.k ? k_1 : other;
+
+    // The traction as long as the skin sticks, and how far that goes.
+    const Tensor<1, dim> T  = -(K.k * s_1 * f + k_2.k * s_2) / delta;
+    const Tensor<2, dim> dT = -(K.k * (outer_product(f, ds_1) + s_1 * df) +
+                                s_1 * outer_product(f, K.dk) + k_2.k * ds_2 +
+                                outer_product(s_2, k_2.dk)) /
+                              delta;
+    const double a   = is_held && K.k > 0. ? delta * k_1.k / K.k : 0.;
+    const double q_1 = a > 0. ? s_1 / a : 0.;
+    const double q   = std::sqrt(q_1 * q_1 + s_2.norm_square() / (delta * delta));
+    response.slides  = q > 1. || (s_1 != 0. && !is_held && other.k > 0.);
+    if (q <= 1.)
       {
-        response.dT_dx +=
-          outer_product(Ms, transpose(ds) * s) / (m * m * length);
-        response.stabilisation =
-          -part_of_stiffness * outer_product(Ms, s) / (delta * length * length);
-      }
-    else
-      {
-        const auto missing = [&](const Limit &limit, const unsigned int i) {
-          return std::max(0.,
-                          (i == backwards ? point.setae : 1.) *
-                              coefficients[i] * point.least_pressure -
-                            limit.k);
+        response.T     = T;
+        response.dT_dx = dT;
+        const auto missing = [&](const double k, const double mu) {
+          return std::max(0., mu * point.least_pressure - k);
         };
-        const double more_1 = missing(k_1, along), more_2 = missing(k_2, sideways);
+        const double more_1 =
+          missing(K.k,
+                  std::max(factor(forwards) * coefficients[forwards],
+                           factor(backwards) * coefficients[backwards]));
+        const double more_2 = missing(k_2.k, coefficients[sideways]);
         response.stabilisation =
           -(more_2 * P + (more_1 - more_2) * outer_product(f, f)) / delta;
       }
-    response.holds = k_1.k > 0. || k_2.k > 0. ||
+    else
+      {
+        Tensor<1, dim> dq = transpose(ds_2) * s_2 / (delta * delta);
+        if (a > 0.)
+          {
+            const Tensor<1, dim> da =
+              delta * (k_1.dk - k_1.k / K.k * K.dk) / K.k;
+            dq += q_1 * (ds_1 - q_1 * da) / a;
+          }
+        dq /= q;
+        response.T             = T / q;
+        response.dT_dx         = (dT - outer_product(response.T, dq)) / q;
+        response.stabilisation = part_of_stiffness * outer_product(response.T, dq);
+        response.kept          = s / q;
+      }
+    if (!is_held)
+      response.kept -= (f * response.kept) * f;
+    response.holds = k_1.k > 0. || other.k > 0. || k_2.k > 0. ||
                      response.stabilisation.norm_square() > 0.;
     return response;
   }

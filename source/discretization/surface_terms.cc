@@ -122,6 +122,72 @@ namespace lumbricus
 
 
 
+  double
+  SurfaceTerms::part_of_slide(const Vector   &solution,
+                              const Vector   &dx,
+                              const LoadTime &t,
+                              const double    most)
+  {
+    // What moves, once for all lengths of the step.
+    struct Moving
+    {
+      const SurfaceTerm     *term;
+      SurfacePoint           point;
+      dealii::Tensor<1, dim> du;
+      double                 JxW;
+    };
+    std::vector<Moving> all;
+    const MixedSpace   &space    = body.space;
+    const Vector        relevant = space.with_ghosts(solution);
+    const Vector        change   = space.with_ghosts(dx);
+    std::vector<dealii::types::global_dof_index> indices(
+      space.fe.n_dofs_per_cell());
+    for_each_memory([&](const OwnedCell &cell, const auto & /*numbers*/) {
+      cell.iterator->get_dof_indices(indices);
+      double u[dim][ShapeCache::padded_nodes]  = {};
+      double du[dim][ShapeCache::padded_nodes] = {};
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+          {
+            const auto i = indices[space.displacement_dof[c][n]];
+            u[c][n]      = relevant(i);
+            du[c][n]     = change(i);
+          }
+      visit_points(
+        cell, u, t, [&](const unsigned int number, const SurfacePoint &at) {
+          const SurfaceTerm &term = *conditions.condition(number).surface_term();
+          if (!term.may_slide())
+            return;
+          dealii::Tensor<1, dim> moves;
+          for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+              moves[c] += du[c][n] * point().values[n];
+          all.push_back({&term, at, moves, point().JxW});
+        });
+    });
+
+    const auto pull_back = [&](const double part) {
+      double sum = 0.;
+      for (const Moving &moving : all)
+        sum += moving.JxW *
+               moving.term->pull_back(moving.point, part * moving.du) / part;
+      return dealii::Utilities::MPI::sum(sum, space.communicator());
+    };
+    constexpr unsigned int n_halvings = 20;
+    constexpr double       near       = 0.9;
+    double                 low = 0., high = 1.;
+    if (pull_back(high) <= most)
+      return 1.;
+    for (unsigned int i = 0; i < n_halvings && low < near * high; ++i)
+      {
+        const double middle = 0.5 * (low + high);
+        (pull_back(middle) <= most ? low : high) = middle;
+      }
+    return high;
+  }
+
+
+
   void
   SurfaceTerms::end_step(State &state) const
   {

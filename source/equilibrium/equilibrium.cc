@@ -21,7 +21,7 @@ namespace lumbricus
 
   Equilibrium::Equilibrium(const Body          &body,
                            Assembler           &assembler,
-                           const SurfaceTerms  &surface_terms,
+                           SurfaceTerms        &surface_terms,
                            Supports            &supports,
                            LinearSolver        &linear_solver,
                            dealii::TimerOutput &timer)
@@ -298,15 +298,22 @@ namespace lumbricus
 
 
   double
-  Equilibrium::work(const Vector &dx) const
+  Equilibrium::largest_step(const Unknowns &x, const Unknowns &dx)
   {
     if (!surface_terms.may_slide())
-      return 0.;
-    double sum = 0.;
+      return 1.;
+    // What drives the step, -r_u . du.
+    double drive = 0.;
     for (unsigned int i = 0; i < component.size(); ++i)
       if (component[i] < dim)
-        sum += r.begin()[i] * dx.begin()[i];
-    return dealii::Utilities::MPI::sum(sum, body.space.communicator());
+        drive -= r.begin()[i] * dx.solution.begin()[i];
+    drive = dealii::Utilities::MPI::sum(drive, body.space.communicator());
+    constexpr double most_pull_back = 1.1;
+    return drive > 0. ? surface_terms.part_of_slide(x.solution,
+                                                    dx.solution,
+                                                    time,
+                                                    most_pull_back * drive) :
+                        1.;
   }
 
 

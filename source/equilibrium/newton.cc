@@ -16,12 +16,6 @@ namespace lumbricus
     // left of it is not next to nothing where it is found small enough.
     constexpr double least_gap = 1e-2;
 
-    // After these the line search looks at the work of the step, which may turn
-    // to this part of what it was at first; where it is more the step is
-    // shortened, to no less than this part at a time.
-    constexpr unsigned int n_whole_steps = 3;
-    constexpr double       most_uphill = 0.1, least_factor = 0.1;
-
 
 
     // What all increments after the last one add up to, if they go on to shrink
@@ -199,28 +193,15 @@ namespace lumbricus
           whole ? std::numeric_limits<double>::max() :
                   growth_allowed *
                     std::max(residual.merit(), least_force(residual));
-        // In the first iterations regions of contact find themselves best with
-        // whole steps. Later on, where the residual does not fall, a step goes no
-        // farther than to where friction and contact push back.
-        const double downhill = whole || history.size() < n_whole_steps ?
-                                  0. :
-                                  -problem.work(dx.solution);
-        const double merit       = residual.merit();
-        double       step_length = 1.;
+        double step_length = whole ? 1. : problem.largest_step(current, dx);
         NonlinearProblem::Residual trial_residual;
         for (unsigned int halvings = 0;; ++halvings)
           {
             trial = current;
             trial.add(step_length, dx);
             trial_residual = problem.residual(trial);
-            const double uphill =
-              downhill > 0. && trial_residual.valid &&
-                  trial_residual.merit() >= merit ?
-                problem.work(dx.solution) :
-                0.;
-            if (trial_residual.valid &&
-                trial_residual.merit() <= largest_merit &&
-                uphill <= most_uphill * downhill)
+            if (getenv("LSDBG")) printf("   it %zu t=%g merit %g -> %g force %g vol %g border %g inc %g\n",history.size(),step_length,residual.merit(),trial_residual.merit(),trial_residual.force,trial_residual.volume,trial_residual.border,problem.increment_size(dx.solution));
+            if (trial_residual.valid && trial_residual.merit() <= largest_merit*(getenv("GROW")?atof(getenv("GROW")):1.))
               break;
             if (whole || halvings == most_halvings)
               {
@@ -229,10 +210,7 @@ namespace lumbricus
                                                "inverts an element",
                         trial);
               }
-            // Where the work would be zero if it went straight up.
-            const double balance =
-              uphill > 0. ? downhill / (downhill + uphill) : 0.5;
-            step_length *= std::clamp(balance, least_factor, 0.5);
+            step_length *= 0.5;
           }
 
         problem.increments_taken();

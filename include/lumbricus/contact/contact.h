@@ -24,7 +24,7 @@ namespace lumbricus
    * lies on the surface. T is per area at rest.
    *
    * After a load step x_a follows the skin: to its projection where it does not
-   * touch, else so far that |s| = delta. What is remembered of x_a is where it was
+   * touch, else so far that q = 1, see Friction. What is remembered of x_a is where it was
    * in the obstacle at time zero, less X.
    */
   class Contact : public SurfaceTerm
@@ -60,6 +60,7 @@ namespace lumbricus
     {
       double                 gap = 0.; ///< g(x) [mm]
       dealii::Tensor<1, dim> n;        ///< grad g(x)
+      dealii::Tensor<2, dim> H;        ///< grad n [1/mm]
       double                 p = 0.;   ///< pressure [N/mm^2]
       bool                   touches = false; ///< whether p > 0, or just not
       Friction::Response     friction;        ///< traction, slip
@@ -81,6 +82,10 @@ namespace lumbricus
 
     bool
     may_slide() const override;
+
+    double
+    pull_back(const SurfacePoint           &point,
+              const dealii::Tensor<1, dim> &du) const override;
 
     Regime
     regime(const SurfacePoint &point) const override;
@@ -138,6 +143,11 @@ namespace lumbricus
     }
 
   private:
+    /** What friction at @p point hangs on; how the skin stands to the obstacle is
+     * in @p found. */
+    Friction::Point
+    friction_point(const SurfacePoint &point, const Standing &found) const;
+
     /** What is remembered of the anchor @p x_a. */
     dealii::Tensor<1, dim>
     history_of(const dealii::Point<dim> &x_a, const SurfacePoint &point) const;

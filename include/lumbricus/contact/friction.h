@@ -14,14 +14,18 @@ namespace lumbricus
 {
   /**
    * Friction that holds a point of the skin elastically until it has slipped by
-   * delta, and then pulls at its limit: with the slip s in the tangent plane,
+   * delta, and then pulls at its limit: with the slip s in the tangent plane, s_1
+   * forward and s_2 across,
    *
-   *   T = -M s/max(delta, |s|),
-   *   M = k_1(sign s_1) t_1 x t_1 + k_2 t_2 x t_2,   k_i = mu_i p + c_i w,
+   *   T = -(K s_1 t_1 + k_2 s_2 t_2)/(delta max(1, q)),
+   *   q^2 = (s_1/a)^2 + (s_2/delta)^2,   a = delta k_1/K,   k_i = mu_i p + c_i w,
    *
-   * where t_1 is the forward direction in the tangent plane, t_2 across, mu_i are
-   * the coefficients of friction, c_i the shear strengths of the mucus, and w is
-   * 1 where the skin touches and falls to zero over the mucus's thickness.
+   * where k_1 is the limit of the direction that s_1 has, K the larger one of
+   * forward and backward, mu_i are the coefficients of friction, c_i the shear
+   * strengths of the mucus, and w is 1 where the skin touches and falls to zero
+   * over the mucus's thickness. It sticks for q < 1, equally stiff forward and
+   * backward, and what slides has |T_1| = k_1 or |T_2| = k_2, or lies on the
+   * ellipse between.
    */
   class Friction : public PartOfBody
   {
@@ -47,14 +51,16 @@ namespace lumbricus
       double                 setae;  ///< factor on backward friction
       /** What Response::stabilisation makes a point that sticks at least as stiff
        * against slip as: this pressure; 0 for none [N/mm^2]. */
-      double least_pressure;
+      double least_pressure = 0.;
     };
 
     /** The traction and its derivative by the place of the point. */
     struct Response
     {
       dealii::Tensor<1, dim> s; ///< slip: the way within the tangent plane [mm]
-      bool                   slides = false; ///< whether |s| > delta
+      bool                   slides = false; ///< whether q > 1
+      /** What is left of s when the anchor has followed: q = 1 [mm]. */
+      dealii::Tensor<1, dim> kept;
       /** k_1, k_2 at least one of which is not zero. */
       bool                   holds = false;
       dealii::Tensor<1, dim> T;     ///< [N/mm^2]
@@ -103,13 +109,6 @@ namespace lumbricus
     /** Whether it is the same along and across. */
     bool
     isotropic() const;
-
-    /** delta [mm]. */
-    double
-    elastic_slip() const
-    {
-      return delta;
-    }
 
   private:
     std::vector<double> coefficients   = {0., 0., 0.};

@@ -55,6 +55,15 @@ namespace lumbricus
     bool
     may_slide() const;
 
+    /** Part of the increment @p dx of @p solution that is so long that what slides
+     * pulls back with @p most, see SurfaceTerm::pull_back(); 1 where all of it
+     * pulls back less. In N mm per unit of the part. Collective. */
+    double
+    part_of_slide(const Vector   &solution,
+                  const Vector   &dx,
+                  const LoadTime &t,
+                  const double    most);
+
     /** The load step that ended with @p state is complete: let the skin remember
      * what it has to. Before State::last_time is changed. Collective. */
     void

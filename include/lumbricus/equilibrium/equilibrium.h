@@ -25,7 +25,7 @@ namespace lumbricus
     /** All of these are kept by reference; call reinit() first. */
     Equilibrium(const Body          &body,
                 Assembler           &assembler,
-                const SurfaceTerms  &surface_terms,
+                SurfaceTerms        &surface_terms,
                 Supports            &supports,
                 LinearSolver        &linear_solver,
                 dealii::TimerOutput &timer);
@@ -101,7 +101,7 @@ namespace lumbricus
     increment_size(const Vector &dx) const override;
 
     double
-    work(const Vector &dx) const override;
+    largest_step(const Unknowns &x, const Unknowns &dx) override;
 
     bool
     increments_prescribed() const override;
@@ -129,7 +129,7 @@ namespace lumbricus
 
     const Body           body;
     Assembler           &assembler;
-    const SurfaceTerms  &surface_terms;
+    SurfaceTerms        &surface_terms;
     Supports            &supports;
     LinearSolver        &linear_solver;
     dealii::TimerOutput &timer;

@@ -65,13 +65,14 @@ namespace lumbricus
     virtual double
     increment_size(const Vector &dx) const = 0;
 
-    /** The work r_u . du of the out-of-balance forces r that residual() has found
-     * last, on an increment: a step downhill is too long where it has turned to
-     * positive. Zero where the residual itself says how far off x is. */
+    /** The part of @p dx up to which a step from @p x, whose residual was the
+     * last to be computed, can go before bounded forces, as of friction, that give
+     * way to it push back by more than drives it; 1 where they do not. The residual
+     * cannot tell: it hardly grows, however far the step goes. Collective. */
     virtual double
-    work(const Vector & /*dx*/) const
+    largest_step(const Unknowns & /*x*/, const Unknowns & /*dx*/)
     {
-      return 0.;
+      return 1.;
     }
 
     /** Whether dx carries prescribed displacements that x still lacks: then
@@ -103,8 +104,8 @@ namespace lumbricus
   /**
    * Newton's method with a backtracking line search. A step is taken whole
    * unless an element inverts or the residual grows beyond what a saddle
-   * point may show on its way, or, where forces are bounded as by friction, the
-   * out-of-balance forces pull back.
+   * point may show on its way, and goes no farther than to where friction pushes
+   * back.
    */
   class Newton : public ParameterOwner
   {

@@ -124,6 +124,16 @@ namespace lumbricus
       return false;
     }
 
+    /** By how much what slides pulls back when a node at @p point moves on by
+     * @p du: (T(u) - T(u + du)) . du of the forces that are bounded, with their
+     * bounds as they are at the point. */
+    virtual double
+    pull_back(const SurfacePoint & /*point*/,
+              const dealii::Tensor<1, dim> & /*du*/) const
+    {
+      return 0.;
+    }
+
     /** What a point of the surface does. */
     enum class Regime
     {
