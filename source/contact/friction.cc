@@ -70,7 +70,7 @@ namespace lumbricus
     prm.add_parameter("Elastic slip",
                       given_slip,
                       "[mm] How far the skin slips elastically before it "
-                      "slides; 0 for 2e-4 of the body's length.",
+                      "slides; 0 for 5e-4 of the body's length.",
                       dealii::Patterns::Double(0.));
   }
 
@@ -102,7 +102,7 @@ namespace lumbricus
     const auto sections = geometry.sections();
     delta               = given_slip > 0. ?
                             given_slip :
-                            2e-4 * std::abs(sections.back().end -
+                            5e-4 * std::abs(sections.back().end -
                                             sections.front().begin);
   }
 

@@ -200,8 +200,7 @@ namespace lumbricus
             trial = current;
             trial.add(step_length, dx);
             trial_residual = problem.residual(trial);
-            if (getenv("LSDBG")) printf("   it %zu t=%g merit %g -> %g force %g vol %g border %g inc %g\n",history.size(),step_length,residual.merit(),trial_residual.merit(),trial_residual.force,trial_residual.volume,trial_residual.border,problem.increment_size(dx.solution));
-            if (trial_residual.valid && trial_residual.merit() <= largest_merit*(getenv("GROW")?atof(getenv("GROW")):1.))
+            if (trial_residual.valid && trial_residual.merit() <= largest_merit)
               break;
             if (whole || halvings == most_halvings)
               {
