@@ -17,10 +17,10 @@ namespace lumbricus
    * Of a symmetric matrix either of two entries is to be there. */
   struct MoreEntries
   {
-    unsigned int              n_unknowns = 0; ///< on all ranks the same
-    std::vector<unsigned int> rows;
-    std::vector<unsigned int> columns;
-    std::vector<double>       values;
+    unsigned int              n_unknowns = 0; ///< the same on all ranks
+    std::vector<unsigned int> rows;           ///< of each entry
+    std::vector<unsigned int> columns;        ///< of each entry
+    std::vector<double>       values;         ///< in the unit of the matrix
 
     /** Whether they are at the same places. */
     bool
