@@ -6,12 +6,19 @@
 #include <lumbricus/measures/cavity_volume.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/partitioner.h>
+#include <deal.II/base/types.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
 #include <numeric>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace lumbricus
 {
@@ -19,6 +26,112 @@ namespace lumbricus
   {
     // Of the sum of its area vectors, relative to its area.
     constexpr double closed = 1e-10;
+
+
+
+    // Sparse sums over faces, one for each cavity.
+    class SparseSums
+    {
+    public:
+      // Of entries at places of a vector like @p like.
+      SparseSums(const unsigned int n, const Vector &like)
+        : partitioner(like.get_partitioner())
+        , of_cavities(n)
+      {}
+
+      void
+      add(const unsigned int k, const unsigned int place, const double value)
+      {
+        of_cavities[k].emplace_back(place, value);
+      }
+
+      // The sums of all ranks, where they are owned. Collective.
+      std::vector<BorderVector>
+      owned()
+      {
+        send_to_owners();
+        std::vector<BorderVector> sums;
+        for (Terms &terms : of_cavities)
+          {
+            sum_up(terms);
+            std::vector<unsigned int> places;
+            std::vector<double>       values;
+            for (const auto &[place, value] : terms)
+              {
+                places.push_back(place);
+                values.push_back(value);
+              }
+            sums.emplace_back(places, values);
+          }
+        return sums;
+      }
+
+    private:
+      using Terms = std::vector<std::pair<unsigned int, double>>;
+
+      // Let every place have one term, in ascending order.
+      static void
+      sum_up(Terms &terms)
+      {
+        // The order of summation stays what it is.
+        std::stable_sort(terms.begin(),
+                         terms.end(),
+                         [](const auto &a, const auto &b) {
+                           return a.first < b.first;
+                         });
+        Terms sums;
+        for (const auto &term : terms)
+          if (!sums.empty() && sums.back().first == term.first)
+            sums.back().second += term.second;
+          else
+            sums.push_back(term);
+        terms = sums;
+      }
+
+      // Those of ghost entries. All cavities at once.
+      void
+      send_to_owners()
+      {
+        const MPI_Comm comm = partitioner->get_mpi_communicator();
+        if (dealii::Utilities::MPI::n_mpi_processes(comm) == 1)
+          return;
+        std::vector<unsigned int> owner_of_ghost;
+        for (const auto &[rank, n] : partitioner->ghost_targets())
+          owner_of_ghost.insert(owner_of_ghost.end(), n, rank);
+
+        // Cavity, index, value; what is no value is a whole number and small
+        // enough.
+        std::map<unsigned int, std::vector<double>> messages;
+        const unsigned int n_owned = partitioner->locally_owned_size();
+        for (unsigned int k = 0; k < of_cavities.size(); ++k)
+          {
+            Terms &terms = of_cavities[k];
+            sum_up(terms);
+            while (!terms.empty() && terms.back().first >= n_owned)
+              {
+                const auto [place, value] = terms.back();
+                auto &message = messages[owner_of_ghost[place - n_owned]];
+                message.push_back(k);
+                message.push_back(partitioner->local_to_global(place));
+                message.push_back(value);
+                terms.pop_back();
+              }
+          }
+        const auto received =
+          dealii::Utilities::MPI::some_to_some(comm, messages);
+        for (const auto &[rank, message] : received)
+          for (unsigned int i = 0; i < message.size(); i += 3)
+            add(message[i],
+                partitioner->global_to_local(
+                  static_cast<dealii::types::global_dof_index>(
+                    message[i + 1])),
+                message[i + 2]);
+      }
+
+      const std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
+                         partitioner;
+      std::vector<Terms> of_cavities;
+    };
   } // namespace
 
 
@@ -195,9 +308,8 @@ namespace lumbricus
   {
     constexpr unsigned int n_per_cell = CellUnknowns::n_per_cell;
     const unsigned int     n          = walls.size();
-    Vector                 u, a, pull;
+    Vector                 u, pull;
     unknowns.reinit_vector(u);
-    unknowns.reinit_vector(a);
     unknowns.reinit_vector(pull);
     u.copy_locally_owned_data_from(solution);
     u.update_ghost_values();
@@ -206,20 +318,24 @@ namespace lumbricus
     std::vector<double> sums(3 * n); // volumes, their rounding, what is missing
     double              of_cell[n_per_cell], area[n_per_cell];
     double              force[n_per_cell], missing[n_per_cell];
-    std::vector<double> matrix(n_per_cell * n_per_cell);
+    std::vector<double> of_face;
     ElementKernel       kernel;
+    SparseSums          areas(n, u);
     for (unsigned int k = 0; k < n; ++k)
       {
-        if (tangent != nullptr)
-          a = 0.;
         for (const Face &face : walls[k].faces)
           {
             unknowns.read(face.cell, u, of_cell);
             kernel.set(of_cell);
             surface.reinit(face.iterator, face.number);
             std::fill(area, area + n_per_cell, 0.);
-            if (tangent != nullptr)
-              std::fill(matrix.begin(), matrix.end(), 0.);
+            // What is prescribed and still missing pulls here too: there the
+            // matrix of the face alone is needed.
+            const bool is_missing =
+              tangent != nullptr &&
+              unknowns.read_inhomogeneity(face.cell, missing);
+            if (is_missing)
+              of_face.assign(n_per_cell * n_per_cell, 0.);
             for (unsigned int q = 0; q < surface.n_points(); ++q)
               {
                 surface.set(q, kernel.u);
@@ -231,35 +347,42 @@ namespace lumbricus
                   add_volume_second_derivative(surface,
                                                walls[k].around,
                                                -P[k],
-                                               matrix);
+                                               is_missing ?
+                                                 of_face :
+                                                 tangent->surface_matrix(
+                                                   face.cell));
               }
             for (unsigned int i = 0; i < n_per_cell; ++i)
               force[i] = -P[k] * area[i];
-            if (tangent != nullptr)
+            if (is_missing)
               {
-                unknowns.add(face.cell, area, a);
                 std::vector<double> &all = tangent->surface_matrix(face.cell);
-                for (unsigned int i = 0; i < matrix.size(); ++i)
-                  all[i] += matrix[i];
-                // What is prescribed and still missing pulls here too.
-                if (unknowns.read_inhomogeneity(face.cell, missing))
-                  for (unsigned int i = 0; i < n_per_cell; ++i)
-                    {
-                      force[i] += std::inner_product(missing,
-                                                     missing + n_per_cell,
-                                                     &matrix[i * n_per_cell],
-                                                     0.);
-                      sums[2 * n + k] += area[i] * missing[i];
-                    }
+                for (unsigned int i = 0; i < of_face.size(); ++i)
+                  all[i] += of_face[i];
+                for (unsigned int i = 0; i < n_per_cell; ++i)
+                  {
+                    force[i] += std::inner_product(missing,
+                                                   missing + n_per_cell,
+                                                   &of_face[i * n_per_cell],
+                                                   0.);
+                    sums[2 * n + k] += area[i] * missing[i];
+                  }
               }
             unknowns.add(face.cell, force, pull);
-          }
-        if (tangent != nullptr)
-          {
-            a.compress(dealii::VectorOperation::add);
-            shape.areas.emplace_back(a);
+            // Also where it is zero just now: a factorisation keeps the places.
+            if (tangent != nullptr)
+              for (const unsigned int node : surface.face_nodes)
+                for (unsigned int c = 0; c < dim; ++c)
+                  {
+                    const unsigned int i = CellUnknowns::displacement(c, node);
+                    for (const auto &[place, weight] :
+                         unknowns.row(face.cell, i))
+                      areas.add(k, place, weight * area[i]);
+                  }
           }
       }
+    if (tangent != nullptr)
+      shape.areas = areas.owned();
     pull.compress(dealii::VectorOperation::add);
     for (unsigned int i = 0; i < r.locally_owned_size(); ++i)
       r.local_element(i) += pull.local_element(i);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/surface_matrix.h>
 
+#include <cmath>
+
 namespace lumbricus
 {
   std::vector<double> &
@@ -56,14 +58,19 @@ namespace lumbricus
   {
     if (all.empty())
       return;
-    places.clear();
+    // In the order of memory, since this is done for every linearisation.
+    double of_row[n] = {}, of_column[n] = {};
     for (unsigned int r = 0; r < n; ++r)
       for (unsigned int s = 0; s < n; ++s)
-        if (all[r * n + s] != 0. || all[s * n + r] != 0.)
-          {
-            places.push_back(r);
-            break;
-          }
+        {
+          const double size = std::abs(all[r * n + s]);
+          of_row[r] += size;
+          of_column[s] += size;
+        }
+    places.clear();
+    for (unsigned int r = 0; r < n; ++r)
+      if (of_row[r] != 0. || of_column[r] != 0.)
+        places.push_back(r);
     packed.clear();
     packed.reserve(places.size() * places.size());
     for (const unsigned int r : places)

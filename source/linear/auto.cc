@@ -63,7 +63,7 @@ namespace lumbricus
 
     /** Decide, and say so. */
     bool
-    too_much(const CondensedFactor                &factors,
+    too_much(CondensedFactor                      &factors,
              const dealii::types::global_dof_index n,
              const MPI_Comm                        comm)
     {

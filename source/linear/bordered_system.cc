@@ -15,13 +15,23 @@ namespace lumbricus
 {
   namespace
   {
-    // C x, for all ranks.
+    // The part of C x that the owned entries make.
     std::vector<double>
-    products(const std::vector<BorderVector> &rows, const Vector &x)
+    owned_products(const std::vector<BorderVector> &rows, const Vector &x)
     {
       std::vector<double> sums;
       for (const BorderVector &row : rows)
         sums.push_back(row.product(x));
+      return sums;
+    }
+
+
+
+    // C x, for all ranks.
+    std::vector<double>
+    products(const std::vector<BorderVector> &rows, const Vector &x)
+    {
+      std::vector<double> sums = owned_products(rows, x);
       dealii::Utilities::MPI::sum(sums, x.get_mpi_communicator(), sums);
       return sums;
     }
@@ -138,18 +148,22 @@ namespace lumbricus
     , row_scale(border.size())
     , S(border.size())
   {
-    const unsigned int         n = border.size();
-    dealii::FullMatrix<double> sum(border.corner);
-    Vector                     column(like);
+    const unsigned int  n = border.size();
+    std::vector<double> CZ; // by columns
+    Vector              column(like);
     for (unsigned int l = 0; l < n; ++l)
       {
         Z[l].reinit(like);
         border.columns[l].copy_to(column);
         inverse.vmult(Z[l], column);
-        const std::vector<double> of_rows = products(rows, Z[l]);
-        for (unsigned int k = 0; k < n; ++k)
-          sum(k, l) -= of_rows[k];
+        const std::vector<double> of_rows = owned_products(rows, Z[l]);
+        CZ.insert(CZ.end(), of_rows.begin(), of_rows.end());
       }
+    dealii::Utilities::MPI::sum(CZ, like.get_mpi_communicator(), CZ);
+    dealii::FullMatrix<double> sum(border.corner);
+    for (unsigned int l = 0; l < n; ++l)
+      for (unsigned int k = 0; k < n; ++k)
+        sum(k, l) -= CZ[l * n + k];
 
     // Rows are in different units.
     for (unsigned int k = 0; k < n; ++k)

@@ -7,18 +7,12 @@
 #include <lumbricus/linear/approximate_inverse.h>
 
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/la_parallel_block_vector.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <vector>
 
 namespace lumbricus
 {
-  /** The free unknowns, and the global ones, which the first rank owns. */
-  using BorderedVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
-
-
-
   /** Make a vector of the free unknowns like @p b with the global ones @p c. */
   BorderedVector
   bordered_vector(const Vector &b, const std::vector<double> &c);
@@ -63,8 +57,10 @@ namespace lumbricus
    *   y = M r,  g = S^(-1) (s - C y),  x = y - Z g,
    *
    * with the small S dense and the same on all ranks. Each global unknown costs
-   * one application of M, once. M need not be good where K is nearly singular,
-   * as close to a limit point, while the whole is not.
+   * one application of M, once, and one vector; where
+   * ApproximateInverse::factor_bordered() does as well, it costs neither. M need
+   * not be good where K is nearly singular, as close to a limit point, while the
+   * whole is not.
    */
   class BorderedInverse
   {

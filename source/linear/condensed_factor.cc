@@ -2,9 +2,11 @@
 
 #include "condensed_factor.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lumbricus
 {
@@ -12,15 +14,35 @@ namespace lumbricus
                                    const Accuracy &accuracy,
                                    const MPI_Comm  comm)
     : tangent(tangent)
+    , accuracy(accuracy)
+    , comm(comm)
     , numbering(tangent.unknowns, false, comm)
-    , mumps(comm,
-            {tangent.symmetric, accuracy.pivoting, accuracy.compression},
-            numbering)
     , inverses(tangent.unknowns.n_cells())
     , couplings(tangent.unknowns.n_cells())
   {
     tangent.unknowns.reinit_vector(reduced);
-    mumps.analyse(tangent.unknowns, tangent.unknowns.n_cells(), n_private);
+  }
+
+
+
+  void
+  CondensedFactor::plan(const MoreEntries &more)
+  {
+    const bool is_new = mumps == nullptr || !planned.is_like(more);
+    if (!dealii::Utilities::MPI::logical_or(is_new, comm))
+      return;
+    mumps.reset();
+    mumps = std::make_unique<Mumps<float>>(
+      comm,
+      Mumps<float>::Options{tangent.symmetric,
+                            accuracy.pivoting,
+                            accuracy.compression},
+      numbering);
+    mumps->analyse(tangent.unknowns,
+                   tangent.unknowns.n_cells(),
+                   n_private,
+                   more);
+    planned = more;
   }
 
 
@@ -28,12 +50,40 @@ namespace lumbricus
   void
   CondensedFactor::factor()
   {
+    factor_with({});
+  }
+
+
+
+  bool
+  CondensedFactor::factor_bordered(const Border &border)
+  {
+    const std::optional<GlobalRows> rows =
+      global_rows(border, numbering, tangent.symmetric, comm);
+    if (!rows)
+      return false;
+    row_scale = rows->scale;
+    factor_with(rows->entries);
+    return true;
+  }
+
+
+
+  void
+  CondensedFactor::factor_with(const MoreEntries &more)
+  {
+    plan(more);
     const CellUnknowns        &unknowns = tangent.unknowns;
     constexpr unsigned int     n_modes  = MixedSpace::n_pressure_modes;
     std::vector<double>        K, S, row;
     dealii::FullMatrix<double> K_zz(n_private, n_private);
 
-    mumps.begin();
+    double stiffest = 0.;
+    for (const double mu : tangent.shear_modulus)
+      stiffest = std::max(stiffest, mu);
+    stiffest = dealii::Utilities::MPI::max(stiffest, comm);
+
+    mumps->begin();
     for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
       {
         tangent.cell_matrix(i, K);
@@ -46,7 +96,7 @@ namespace lumbricus
             K_zz(r, s) = K[r * n + s];
         const auto   M = tangent.pressure_mass(i);
         const double compressibility =
-          1. / (penalty * tangent.shear_modulus[i]);
+          1. / (penalty * std::sqrt(stiffest * tangent.shear_modulus[i]));
         for (unsigned int r = 0; r < n_modes; ++r)
           for (unsigned int s = 0; s < n_modes; ++s)
             K_zz(CellUnknowns::pressure(r), CellUnknowns::pressure(s)) -=
@@ -76,15 +126,42 @@ namespace lumbricus
               for (unsigned int k = 0; k < n_shared; ++k)
                 S_r[k] -= K_r[z] * row[z * n_shared + k];
           }
-        mumps.add(n_shared, S.data());
+        mumps->add(n_shared, S.data());
       }
-    mumps.factor();
+    mumps->add(more);
+    mumps->factor();
   }
 
 
 
   void
   CondensedFactor::vmult(Vector &y, const Vector &x) const
+  {
+    std::vector<float> none;
+    solve(y, x, none);
+  }
+
+
+
+  void
+  CondensedFactor::vmult_bordered(BorderedVector       &y,
+                                  const BorderedVector &x) const
+  {
+    // The first rank owns all of them.
+    std::vector<float> globals;
+    for (unsigned int k = 0; k < x.block(1).locally_owned_size(); ++k)
+      globals.push_back(row_scale[k] * x.block(1).local_element(k));
+    solve(y.block(0), x.block(0), globals);
+    for (unsigned int k = 0; k < globals.size(); ++k)
+      y.block(1).local_element(k) = globals[k];
+  }
+
+
+
+  void
+  CondensedFactor::solve(Vector             &y,
+                         const Vector       &x,
+                         std::vector<float> &globals) const
   {
     const CellUnknowns &unknowns = tangent.unknowns;
 
@@ -106,7 +183,7 @@ namespace lumbricus
     reduced += x;
 
     numbering.extract(reduced, values);
-    mumps.solve(values);
+    mumps->solve(values, globals);
     y = x; // in the constrained unknowns
     numbering.insert(values, y);
 
@@ -136,6 +213,6 @@ namespace lumbricus
   double
   CondensedFactor::cost() const
   {
-    return mumps.factor_cost();
+    return mumps->factor_cost();
   }
 } // namespace lumbricus

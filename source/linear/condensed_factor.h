@@ -7,6 +7,11 @@
 #include <lumbricus/linear/mumps.h>
 
 #include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "global_rows.h"
 
 namespace lumbricus
 {
@@ -18,15 +23,22 @@ namespace lumbricus
    *   S = K_ss - K_sz K_zz^(-1) K_zs.
    *
    * So that this is possible for incompressible materials too, K_zz is that of
-   * a material with 1/kappa + 1/(penalty mu) in place of 1/kappa. S has three
+   * a material with 1/kappa + 1/(penalty sqrt(mu mu_max)) in place of 1/kappa,
+   * with the shear modulus mu there and the largest one of the body. S has three
    * unknowns per node and no zeros on its diagonal.
+   *
+   * A border that hangs on what S hangs on is factored with it, as further rows
+   * and columns. They are as sparse as the border, so that a chain of cavities
+   * costs per cavity what one of them does.
    */
   class CondensedFactor : public ApproximateInverse
   {
   public:
     /** With more the volume is kept better, but in single precision the
-     * rounding errors of the volume's stiffness drown that of the shape. */
-    static constexpr double penalty = 1e3;
+     * rounding errors of the volume's stiffness drown that of the shape, which a
+     * long body needs to be bent. What is soft, as a liquid, has to keep its
+     * volume against what is not. */
+    static constexpr double penalty = 1e2;
 
     /** How S is factored. */
     struct Accuracy
@@ -48,7 +60,7 @@ namespace lumbricus
        {"less compressed factors", false, 1e-5},
        {"factors with pivoting", true, 0.}}};
 
-    /** For the pattern of @p tangent, which MUMPS analyses. Collective. */
+    /** For the pattern of @p tangent. Collective. */
     CondensedFactor(const Tangent  &tangent,
                     const Accuracy &accuracy,
                     const MPI_Comm  comm);
@@ -56,32 +68,60 @@ namespace lumbricus
     void
     factor() override;
 
+    bool
+    factor_bordered(const Border &border) override;
+
     void
     vmult(Vector &y, const Vector &x) const override;
+
+    void
+    vmult_bordered(BorderedVector &y, const BorderedVector &x) const override;
 
     double
     cost() const override;
 
-    /** Operations that MUMPS will need, on all ranks. */
+    /** Operations that MUMPS will need without a border, on all ranks.
+     * Collective. */
     double
-    planned_flops() const
+    planned_flops()
     {
-      return mumps.planned_flops();
+      plan({});
+      return mumps->planned_flops();
     }
 
-    /** Memory that MUMPS will need, of the rank that needs most [MB]. */
+    /** Memory that MUMPS will need then, of the rank that needs most [MB].
+     * Collective. */
     double
-    planned_megabytes() const
+    planned_megabytes()
     {
-      return mumps.planned_megabytes();
+      plan({});
+      return mumps->planned_megabytes();
     }
 
   private:
     static constexpr unsigned int n_private = CellUnknowns::n_private;
 
-    const Tangent       &tangent;
-    FreeNumbering        numbering;
-    mutable Mumps<float> mumps;
+    /** Let MUMPS analyse the pattern with @p more, where it has not done so. */
+    void
+    plan(const MoreEntries &more);
+
+    /** Factor S with @p more. */
+    void
+    factor_with(const MoreEntries &more);
+
+    /** As vmult(), with the right-hand side and then the solution @p globals of
+     * the border, on the first rank, as the matrix has them. */
+    void
+    solve(Vector &y, const Vector &x, std::vector<float> &globals) const;
+
+    const Tangent                &tangent;
+    const Accuracy               &accuracy;
+    const MPI_Comm                comm;
+    FreeNumbering                 numbering;
+    std::unique_ptr<Mumps<float>> mumps;
+    MoreEntries                   planned;
+    /** Of the border that is factored. */
+    std::vector<double> row_scale;
     /** K_zz^(-1) and K_zz^(-1) K_zs of each owned cell, by rows. */
     std::vector<std::array<double, n_private * n_private>> inverses;
     std::vector<std::vector<float>>                        couplings;

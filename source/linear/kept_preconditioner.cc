@@ -14,6 +14,23 @@
 
 namespace lumbricus
 {
+  namespace
+  {
+    // An inverse of a tangent with its border, as Krylov methods see it.
+    struct FactoredWithBorder
+    {
+      const ApproximateInverse &inverse;
+
+      void
+      vmult(BorderedVector &y, const BorderedVector &x) const
+      {
+        inverse.vmult_bordered(y, x);
+      }
+    };
+  } // namespace
+
+
+
   KeptPreconditioner::KeptPreconditioner()  = default;
   KeptPreconditioner::~KeptPreconditioner() = default;
 
@@ -58,8 +75,9 @@ namespace lumbricus
   KeptPreconditioner::drop()
   {
     bordered.reset();
-    current  = {};
-    factored = false;
+    current            = {};
+    factored           = false;
+    n_factored_globals = 0;
   }
 
 
@@ -70,9 +88,11 @@ namespace lumbricus
                             const double  wanted_tolerance)
   {
     const double tolerance = std::min(wanted_tolerance, least_accuracy);
-    solve_by([&]() {
-      return iterate(*tangent, *current.inverse, x, b, tolerance);
-    });
+    if (n_factored_globals > 0)
+      factored = false;
+    solve_by(
+      [&]() { return iterate(*tangent, *current.inverse, x, b, tolerance); },
+      nullptr);
   }
 
 
@@ -93,7 +113,15 @@ namespace lumbricus
     // help then: iterations will say so.
     if (bordered != nullptr && bordered->size() != border.size())
       bordered.reset();
-    solve_by([&]() {
+    if (n_factored_globals > 0 && n_factored_globals != border.size())
+      factored = false;
+    const auto iterate_bordered = [&]() {
+      if (n_factored_globals > 0)
+        return iterate(system,
+                       FactoredWithBorder{*current.inverse},
+                       all_x,
+                       all_b,
+                       tolerance);
       if (bordered == nullptr)
         {
           dealii::Timer timer;
@@ -101,9 +129,13 @@ namespace lumbricus
             std::make_unique<BorderedInverse>(*current.inverse, border, b);
           counts.factor_seconds += timer.wall_time();
         }
-      return iterate(system, *bordered, all_x, all_b, tolerance) &&
-             system.is_solved(all_x, all_b, tolerance);
-    });
+      return iterate(system, *bordered, all_x, all_b, tolerance);
+    };
+    solve_by(
+      [&]() {
+        return iterate_bordered() && system.is_solved(all_x, all_b, tolerance);
+      },
+      &border);
     x = all_x.block(0);
     g = globals_of(all_x);
   }
@@ -111,7 +143,8 @@ namespace lumbricus
 
 
   void
-  KeptPreconditioner::solve_by(const std::function<bool()> &iterate)
+  KeptPreconditioner::solve_by(const std::function<bool()> &iterate,
+                               const Border                *border)
   {
     try
       {
@@ -122,7 +155,7 @@ namespace lumbricus
         bool solved = worth_keeping && iterate();
         while (!solved)
           {
-            solved = factor() && iterate();
+            solved = factor(border) && iterate();
             if (!solved)
               give_up_kind();
           }
@@ -140,10 +173,11 @@ namespace lumbricus
 
 
   bool
-  KeptPreconditioner::factor()
+  KeptPreconditioner::factor(const Border *border)
   {
     dealii::Timer timer;
-    factored = false;
+    factored           = false;
+    n_factored_globals = 0;
     bordered.reset();
     if (current.inverse == nullptr)
       current = make(*tangent, kind);
@@ -151,7 +185,10 @@ namespace lumbricus
     ++counts.n_factorisations;
     try
       {
-        current.inverse->factor();
+        if (border != nullptr && current.inverse->factor_bordered(*border))
+          n_factored_globals = border->size();
+        else
+          current.inverse->factor();
         factored = true;
       }
     catch (const ExcNotConverged &)

@@ -7,6 +7,8 @@
 #include <smumps_c.h>
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 #include <cstddef>
 #include <exception>
 #include <string>
@@ -228,20 +230,27 @@ namespace lumbricus
   void
   Mumps<Number>::analyse(const CellUnknowns &unknowns,
                          const unsigned int  n_cells,
-                         const unsigned int  n_left_out)
+                         const unsigned int  n_left_out,
+                         const MoreEntries  &more)
   {
     for (unsigned int i = 0; i < n_cells; ++i)
       {
         const auto places = unknowns.free_unknowns(i);
         add_pattern(places.data() + n_left_out, places.size() - n_left_out);
       }
-    entries.resize(rows.size());
-    auto &data   = instance->data;
-    data.n       = numbering.size();
-    data.nnz_loc = rows.size();
-    data.irn_loc = rows.data();
-    data.jcn_loc = columns.data();
-    data.a_loc   = entries.data();
+    std::vector<int> order;
+    if (more.n_unknowns > 0)
+      {
+        plan(0);
+        order = order_with(more);
+        for (unsigned int k = 0; k < more.rows.size(); ++k)
+          {
+            rows.push_back(more.rows[k] + 1);
+            columns.push_back(more.columns[k] + 1);
+          }
+        instance->control(7)   = 1; // the ordering is given
+        instance->data.perm_in = order.data();
+      }
 
     counts =
       dealii::Utilities::MPI::all_gather(comm,
@@ -253,10 +262,60 @@ namespace lumbricus
         sum += counts[r];
       }
     if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
-      centralised.resize(numbering.size());
+      centralised.resize(numbering.size() + more.n_unknowns);
+    plan(more.n_unknowns);
+  }
 
+
+
+  template <typename Number>
+  void
+  Mumps<Number>::plan(const unsigned int n_more)
+  {
+    entries.resize(rows.size());
+    auto &data   = instance->data;
+    data.n       = numbering.size() + n_more;
+    data.nnz_loc = rows.size();
+    data.irn_loc = rows.data();
+    data.jcn_loc = columns.data();
+    data.a_loc   = entries.data();
     run(analysis);
     check("analysis of the matrix");
+  }
+
+
+
+  template <typename Number>
+  std::vector<int>
+  Mumps<Number>::order_with(const MoreEntries &more) const
+  {
+    // Where they come among the others, which the first rank knows.
+    const unsigned int n = numbering.size();
+    std::vector<int>   positions(n);
+    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+      std::copy(instance->data.sym_perm,
+                instance->data.sym_perm + n,
+                positions.begin());
+    MPI_Bcast(positions.data(), n, MPI_INT, 0, comm);
+    std::vector<int> last(more.n_unknowns, 0);
+    for (unsigned int k = 0; k < more.rows.size(); ++k)
+      for (const auto &[global, other] :
+           {std::make_pair(more.rows[k], more.columns[k]),
+            std::make_pair(more.columns[k], more.rows[k])})
+        if (global >= n && other < n)
+          last[global - n] = std::max(last[global - n], positions[other]);
+    dealii::Utilities::MPI::max(last, comm, last);
+
+    // Each goes behind the last one that it hangs together with.
+    std::vector<int> shift(n + 2, 0);
+    for (const int position : last)
+      ++shift[position + 1];
+    std::partial_sum(shift.begin(), shift.end(), shift.begin());
+    for (int &position : positions)
+      position += shift[position];
+    for (const int position : last)
+      positions.push_back(position + shift[position]++ + 1);
+    return positions;
   }
 
 
@@ -304,6 +363,17 @@ namespace lumbricus
 
   template <typename Number>
   void
+  Mumps<Number>::add(const MoreEntries &more)
+  {
+    AssertDimension(next + more.values.size(), entries.size());
+    for (const double value : more.values)
+      entries[next++] = static_cast<Number>(value);
+  }
+
+
+
+  template <typename Number>
+  void
   Mumps<Number>::factor()
   {
     constexpr int most_percent = 1000;
@@ -322,7 +392,7 @@ namespace lumbricus
 
   template <typename Number>
   void
-  Mumps<Number>::solve(std::vector<Number> &values)
+  Mumps<Number>::solve(std::vector<Number> &values, std::vector<Number> &more)
   {
     // The right-hand side and the solution are whole on rank 0.
     const MPI_Datatype type = Precision<Number>::mpi();
@@ -336,9 +406,12 @@ namespace lumbricus
                 type,
                 0,
                 comm);
+    const auto after_all = centralised.end() - more.size();
+    std::copy(more.begin(), more.end(), after_all);
     instance->data.rhs = centralised.data();
     run(back_substitute);
     check("back substitution");
+    std::copy(after_all, centralised.end(), more.begin());
     MPI_Scatterv(centralised.data(),
                  counts.data(),
                  offsets.data(),

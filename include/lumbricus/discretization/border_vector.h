@@ -27,6 +27,39 @@ namespace lumbricus
           }
     }
 
+    /** The owned entries at @p places, in ascending order; some may be zero. */
+    BorderVector(const std::vector<unsigned int> &places,
+                 const std::vector<double>       &values)
+      : places(places)
+      , values(values)
+    {}
+
+    /** Call @p f(place, value) for all entries. */
+    template <typename Function>
+    void
+    for_each(const Function &f) const
+    {
+      for (unsigned int k = 0; k < places.size(); ++k)
+        f(places[k], values[k]);
+    }
+
+    /** The part of the scalar product with @p other that the owned entries make.
+     */
+    double
+    product(const BorderVector &other) const
+    {
+      double       sum = 0.;
+      unsigned int l   = 0;
+      for (unsigned int k = 0; k < places.size(); ++k)
+        {
+          while (l < other.places.size() && other.places[l] < places[k])
+            ++l;
+          if (l < other.places.size() && other.places[l] == places[k])
+            sum += values[k] * other.values[l];
+        }
+      return sum;
+    }
+
     /** The part of the scalar product with @p x that the owned entries make. */
     double
     product(const Vector &x) const

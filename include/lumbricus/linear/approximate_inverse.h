@@ -2,13 +2,22 @@
 #ifndef lumbricus_linear_approximate_inverse_h
 #define lumbricus_linear_approximate_inverse_h
 
+#include <lumbricus/discretization/border.h>
 #include <lumbricus/discretization/cell_unknowns.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/lac/la_parallel_block_vector.h>
 
 #include <memory>
 #include <string>
 
 namespace lumbricus
 {
+  /** The free unknowns, and the global ones, which the first rank owns. */
+  using BorderedVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
+
+
+
   /**
    * An approximate inverse of the tangent as a preconditioner of Krylov
    * methods. It is made for a pattern, which is expensive, and then computed
@@ -29,6 +38,25 @@ namespace lumbricus
     /** y = an approximation of K^(-1) x. */
     virtual void
     vmult(Vector &y, const Vector &x) const = 0;
+
+    /**
+     * As factor(), but of the tangent with @p border around it, where this kind
+     * can do that with a border like this one; else nothing is done. From then
+     * on vmult_bordered() is to be used.
+     * @return whether it is done.
+     */
+    virtual bool
+    factor_bordered(const Border & /*border*/)
+    {
+      return false;
+    }
+
+    /** After factor_bordered(): y = an approximation of [K B; C D]^(-1) x. */
+    virtual void
+    vmult_bordered(BorderedVector & /*y*/, const BorderedVector & /*x*/) const
+    {
+      Assert(false, dealii::ExcPureFunctionCalled());
+    }
 
     /** What factor() costs, in applications of vmult(): from counts of
      * operations, so that it is the same in every run. */

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace lumbricus
@@ -38,6 +39,15 @@ namespace lumbricus
     number(const unsigned int place) const
     {
       return number_at[place];
+    }
+
+    /** Whether the owned entry at @p place has a number. */
+    bool
+    is_numbered(const unsigned int place) const
+    {
+      return std::binary_search(owned_places.begin(),
+                                owned_places.end(),
+                                place);
     }
 
     /** Copy the numbered entries that this rank owns from a vector. */

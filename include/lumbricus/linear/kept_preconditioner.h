@@ -64,13 +64,15 @@ namespace lumbricus
     drop();
 
     /** Call @p iterate, which says whether it has solved the system with the
-     * inverse there is, with better and better ones until it has. */
+     * inverse there is, of the tangent or of it with @p border, with better and
+     * better ones until it has. */
     void
-    solve_by(const std::function<bool()> &iterate);
+    solve_by(const std::function<bool()> &iterate, const Border *border);
 
-    /** @return whether it can be done for what the tangent is now. */
+    /** @return whether it can be done for what the tangent, and @p border if it
+     * is one, are now. */
     bool
-    factor();
+    factor(const Border *border);
 
     /** Solve @p system by FGMRES, preconditioned by @p inverse.
      * @return whether it converged. */
@@ -94,9 +96,11 @@ namespace lumbricus
     unsigned int                    kind            = 0;
     InverseKind                     current;
     /** Whether there is an inverse. */
-    bool      factored = false;
-    FactorAge age;
-    /** The inverse with a border around it, where there is one. */
+    bool factored = false;
+    /** The size of the border it is of, too. */
+    unsigned int n_factored_globals = 0;
+    FactorAge    age;
+    /** The inverse with a border around it, where it is not of one. */
     std::unique_ptr<BorderedInverse> bordered;
   };
 } // namespace lumbricus

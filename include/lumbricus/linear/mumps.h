@@ -12,6 +12,27 @@
 
 namespace lumbricus
 {
+  /** Unknowns of a matrix that no cell has, numbered after all others, and the
+   * entries of this rank in their rows and columns, which are counted from zero.
+   * Of a symmetric matrix either of two entries is to be there. */
+  struct MoreEntries
+  {
+    unsigned int              n_unknowns = 0; ///< the same on all ranks
+    std::vector<unsigned int> rows;           ///< of each entry
+    std::vector<unsigned int> columns;        ///< of each entry
+    std::vector<double>       values;         ///< in the unit of the matrix
+
+    /** Whether they are at the same places. */
+    bool
+    is_like(const MoreEntries &other) const
+    {
+      return n_unknowns == other.n_unknowns && rows == other.rows &&
+             columns == other.columns;
+    }
+  };
+
+
+
   /**
    * A factorisation by MUMPS (multifrontal, parallel): L D L^T of a symmetric
    * indefinite matrix or L U, in double or single precision (@p Number). Every
@@ -49,14 +70,15 @@ namespace lumbricus
 
     /**
      * For the sum of one square matrix per owned cell 0 ... @p n_cells - 1, in
-     * the free unknowns of that cell without the first @p n_left_out of them:
-     * order the unknowns and plan the factorisation. Throws ExcSolveFailed when
-     * memory ends.
+     * the free unknowns of that cell without the first @p n_left_out of them,
+     * and of the entries @p more: order the unknowns and plan the factorisation.
+     * Throws ExcSolveFailed when memory ends.
      */
     void
     analyse(const CellUnknowns &unknowns,
             const unsigned int  n_cells,
-            const unsigned int  n_left_out);
+            const unsigned int  n_left_out,
+            const MoreEntries  &more = {});
 
     /** Operations of the factorisation that is planned, on all ranks, without
      * compression. */
@@ -75,6 +97,10 @@ namespace lumbricus
     void
     add(const unsigned int n, const double *matrix);
 
+    /** After all cells: add the entries that analyse() was told of. */
+    void
+    add(const MoreEntries &more);
+
     /**
      * Factor the sum. Throws ExcNotConverged for a singular matrix,
      * ExcSolveFailed when memory ends.
@@ -83,9 +109,18 @@ namespace lumbricus
     factor();
 
     /** Replace the right-hand side, this rank's entries in the order of the
-     * numbering, by the solution. */
+     * numbering, by the solution; and, on the first rank, the entries of the
+     * unknowns that no cell has. */
     void
-    solve(std::vector<Number> &values);
+    solve(std::vector<Number> &values, std::vector<Number> &more);
+
+    /** The same where there are none of those. */
+    void
+    solve(std::vector<Number> &values)
+    {
+      std::vector<Number> none;
+      solve(values, none);
+    }
 
     /** Operations of the last factorisation on all ranks. */
     double
@@ -108,6 +143,18 @@ namespace lumbricus
 
     void
     run(const int job);
+
+    /** Analyse the announced pattern, with @p n_more unknowns beyond the
+     * numbering. */
+    void
+    plan(const unsigned int n_more);
+
+    /** After plan() without @p more: the position of every unknown in an ordering
+     * with them, on all ranks. Each comes after all others in its row: then what is
+     * left of its diagonal is what the whole gives, and not that of the first few
+     * unknowns, beside which the rest would be lost in rounding. */
+    std::vector<int>
+    order_with(const MoreEntries &more) const;
 
     /** Throw where run() has failed at @p what: ExcNotConverged for a singular
      * matrix, or ExcSolveFailed. Collective. */

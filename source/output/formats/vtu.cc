@@ -274,6 +274,10 @@ namespace lumbricus
     dealii::DataOutBase::VtkFlags flags;
     flags.write_higher_order_cells = true;
     flags.time                     = state.time;
+    // The best compression takes several times as long, and next to no less
+    // room. Its type has another name in later versions of deal.II.
+    using Compression       = decltype(flags.compression_level);
+    flags.compression_level = Compression::best_speed;
     flags.cycle                    = times_and_names.size();
     data_out.set_flags(flags);
     data_out.attach_triangulation(space.triangulation);
