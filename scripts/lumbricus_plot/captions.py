@@ -30,6 +30,11 @@ ACTIVATION = (
     " Activation: for every muscle the mean active stretch [-] over the cells "
     "of a segment that have its fibres, at the times that have fields; less "
     "than 1 (dark) is a contraction, grey a segment without that muscle.")
+ANCHORS = (
+    "Left: segments that are anchored in an obstacle (dark: less than half of "
+    "what touches slides), slide (light) or do not touch (white), the head on "
+    "the left, time downwards. Right: how far the centre of mass has come "
+    "forward [mm].")
 SEGMENTS = (
     "Length [mm] and radius in the middle [mm], pressure [N/mm²] and relative "
     "change of the volume [-] of the liquid (of the wall where there is none) "
