@@ -7,7 +7,7 @@ def no_formula(text):
     return text.replace("$", r"\$")
 
 
-def animation_caption(times, with_fibres):
+def animation_caption(times, with_fibres, with_obstacles):
     when = (f"Time t = {times[0]:g}." if len(times) == 1 else
             f"{len(times)} times from t = {times[0]:g} to t = {times[-1]:g}.")
     text = (when + " The body is cut open along two planes through its axis or "
@@ -16,6 +16,9 @@ def animation_caption(times, with_fibres):
             "muscle by its active contraction: by how much [%] the most active "
             "fibres want to be shorter than at rest. View and colours are the "
             "same at all times.")
+    if with_obstacles:
+        text += (" Obstacles are translucent, without what would be in front of "
+                 "the body; their lines stay where they are in them.")
     if with_fibres:
         text += (" Green lines are fibres, green dots fibres that go into the "
                  "body.")

@@ -86,7 +86,7 @@ def make_animation(run, options, out):
     name = out / ("animation.mp4" if options.mp4 else "animation.gif")
     times = animate(run, options, name)
     return name, "The deforming body", captions.animation_caption(
-        times, options.fibres)
+        times, options.fibres, bool(run.obstacles))
 
 
 def make_kymograph(run, _, out):

@@ -140,7 +140,14 @@ class Scene:
             self.add(dots.glyph(geom=ball, orient=False, scale=False), **look)
 
     def add_obstacles(self, surface):
-        """Translucent, with lines that stay where they are in the obstacle."""
+        """Translucent, with lines that stay where they are in the obstacle. What
+        is seen from within it would be in front of the body, and is left out."""
+        towards = surface.compute_normals(
+            point_normals=False, consistent_normals=False,
+            auto_orient_normals=False)["Normals"] @ VIEW.normal
+        surface = surface.extract_cells(towards > 0)
+        if surface.n_cells == 0:
+            return
         look = {"lighting": False, "color": OBSTACLE_COLOUR,
                 "opacity": OBSTACLE_OPACITY}
         self.add(surface, **look)

@@ -172,7 +172,7 @@ namespace lumbricus
       rings.last     = std::min(rings.last, half);
       return grid(rings, {0, n_around}, [&](const int i, const int j) {
         const auto e = std::sin(i * angle) * a - std::cos(i * angle) * in;
-        return wall(centre + e / curvature, e, up, j);
+        return wall(centre + e / curvature, e, -up, j);
       });
     }
 

@@ -124,6 +124,22 @@ def distances(name, x, t):
     return np.hypot(within - 10, across) - 3
 
 
+def check_normals(surface, t):
+    """Away from the obstacle: the distance, which for burrows is positive within
+    them, grows along the normal."""
+    n = surface.compute_normals(
+        consistent_normals=False, point_normals=False)["Normals"]
+    middle = surface.cell_centers().points.astype(float)
+    number = np.round(surface.point_data_to_cell_data()["obstacle"])
+    for i, name in enumerate(OBSTACLES, 1):
+        x, step = middle[number == i], 0.1 * n[number == i]
+        grows = distances(name, x + step, t) - distances(name, x - step, t)
+        if OBSTACLES[name][1] == "burrow":
+            grows = -grows
+        # The facets are not quite along the surface.
+        assert (grows > 0.19).all(), name
+
+
 def test_obstacles_are_where_they_are(run):
     series, obstacles = (read_series(run.folder, name)
                          for name in ("solution.pvd", "obstacles.pvd"))
@@ -139,6 +155,7 @@ def test_obstacles_are_where_they_are(run):
         for i, name in enumerate(OBSTACLES, 1):
             x = surface.points[number == i].astype(float)
             assert distances(name, x, t) == pytest.approx(0, abs=1e-5)
+        check_normals(surface, t)
     # A twentieth of the block's length, from the last state's box on outwards.
     ground = surface.points[number == 1 + list(OBSTACLES).index("ground")]
     x = np.unique(np.round(ground[:, 0] / 0.05, 3))

@@ -71,7 +71,8 @@ namespace lumbricus
     dealii::Point<dim>
     carried_back(const dealii::Point<dim> &x, const LoadTime &t) const;
 
-    /** Quadrilaterals to draw, each by the numbers of its corners, around. */
+    /** Quadrilaterals to draw, each by the numbers of its corners: around, so that
+     * the normal points away from the obstacle. */
     struct Surface
     {
       std::vector<dealii::Point<dim>>          points; ///< [mm]
