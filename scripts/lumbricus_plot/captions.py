@@ -7,7 +7,7 @@ def no_formula(text):
     return text.replace("$", r"\$")
 
 
-def animation_caption(times, with_fibres):
+def animation_caption(times, with_fibres, with_obstacles):
     when = (f"Time t = {times[0]:g}." if len(times) == 1 else
             f"{len(times)} times from t = {times[0]:g} to t = {times[-1]:g}.")
     text = (when + " The body is cut open along two planes through its axis or "
@@ -16,6 +16,9 @@ def animation_caption(times, with_fibres):
             "muscle by its active contraction: by how much [%] the most active "
             "fibres want to be shorter than at rest. View and colours are the "
             "same at all times.")
+    if with_obstacles:
+        text += (" Obstacles are translucent, without what would be in front of "
+                 "the body; their lines stay where they are in them.")
     if with_fibres:
         text += (" Green lines are fibres, green dots fibres that go into the "
                  "body.")
@@ -30,6 +33,11 @@ ACTIVATION = (
     " Activation: for every muscle the mean active stretch [-] over the cells "
     "of a segment that have its fibres, at the times that have fields; less "
     "than 1 (dark) is a contraction, grey a segment without that muscle.")
+ANCHORS = (
+    "Left: segments that are anchored in an obstacle (dark: less than half of "
+    "what touches slides), slide (light) or do not touch (white), the head on "
+    "the left, time downwards. Right: how far the centre of mass has come "
+    "forward [mm].")
 SEGMENTS = (
     "Length [mm] and radius in the middle [mm], pressure [N/mm²] and relative "
     "change of the volume [-] of the liquid (of the wall where there is none) "

@@ -6,6 +6,7 @@ import pathlib
 import sys
 
 from . import captions
+from .anchors import draw_anchors
 from .animation import animate
 from .convergence import draw_convergence
 from .kymograph import draw_kymograph
@@ -22,6 +23,8 @@ is over or still going on, gets
                    muscle by active contraction
   picture.png      the same at a few times in one figure
   kymograph.png    length, pressure and activation, segments against time
+  anchors.png      which segments are anchored, and how far the body has come;
+                   of a run with a contact
   segments.png     length, radius, pressure and volume of every segment
   convergence.png  resets, divergence after each, residuals of Newton's method
   report.html      all of these but picture.png in one file, with numbers and
@@ -29,8 +32,8 @@ is over or still going on, gets
 
 Exit code 1 says that the folder is no run, or that something in it is missing.
 """
-NAMES = ["animation", "picture", "kymograph", "segments", "convergence",
-         "report"]
+NAMES = ["animation", "picture", "kymograph", "anchors", "segments",
+         "convergence", "report"]
 
 
 def positive(text):
@@ -83,7 +86,7 @@ def make_animation(run, options, out):
     name = out / ("animation.mp4" if options.mp4 else "animation.gif")
     times = animate(run, options, name)
     return name, "The deforming body", captions.animation_caption(
-        times, options.fibres)
+        times, options.fibres, bool(run.obstacles))
 
 
 def make_kymograph(run, _, out):
@@ -92,6 +95,12 @@ def make_kymograph(run, _, out):
     return name, "Kymograph", (
         captions.KYMOGRAPH + (captions.PRESSURE if run.has_liquid else "")
         + (captions.ACTIVATION if has_activation else ""))
+
+
+def make_anchors(run, _, out):
+    name = out / "anchors.png"
+    draw_anchors(run, name)
+    return name, "Anchored segments", captions.ANCHORS
 
 
 def make_segments(run, _, out):
@@ -108,7 +117,8 @@ def make_convergence(run, _, out):
 
 # In the order of the report.
 OF_THE_REPORT = {"animation": make_animation, "kymograph": make_kymograph,
-                 "segments": make_segments, "convergence": make_convergence}
+                 "anchors": make_anchors, "segments": make_segments,
+                 "convergence": make_convergence}
 NEED_FIELDS = {"animation", "picture"}
 
 
@@ -121,6 +131,8 @@ def make_all(run, options, out):
                      "it), and therefore no animation, no picture and no "
                      "activation; Output/Every says how often fields are "
                      "written.")
+    if run.contact is None:
+        wanted.discard("anchors")
     pictures = [make(run, options, out)
                 for name, make in OF_THE_REPORT.items() if name in wanted]
     names = [file.name for file, *_ in pictures]

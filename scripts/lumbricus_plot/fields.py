@@ -28,10 +28,11 @@ MIRRORED = np.array([1, 0, 3, 2, 5, 4, 7, 6, 8, 11, 10, 9, 12, 15, 14, 13,
                      17, 16, 19, 18, 21, 20, 22, 23, 24, 25, 26])
 
 
-def read_series(folder):
-    """(time, PVTU file) of all times in solution.pvd."""
+def read_series(folder, name="solution.pvd"):
+    """(time, file) of all times in a PVD file; those of solution.pvd are PVTU
+    files."""
     folder = pathlib.Path(folder)
-    reader = pyvista.get_reader(str(folder / "solution.pvd"))
+    reader = pyvista.get_reader(str(folder / name))
     return [(data_set.time, folder / data_set.path)
             for data_set in reader.datasets]
 
@@ -46,6 +47,13 @@ def read_grid(pvtu_file):
     if grid.n_cells == 0 or grid.n_points != N_NODES * grid.n_cells:
         raise ValueError("it has no cells of 27 points")
     return grid
+
+
+def read_obstacles(vtu_file):
+    """The surfaces of all obstacles at one time, as quadrilaterals."""
+    with pyvista.VtkErrorCatcher(raise_errors=True, send_to_logging=False):
+        return pyvista.read(vtu_file).extract_surface(
+            algorithm="dataset_surface", pass_pointid=False, pass_cellid=False)
 
 
 def nodes_of_cells(grid):

@@ -87,8 +87,9 @@ def add_colour_bars(figure, scales):
 
 
 def read_drawings(run, shown, with_mesh, with_fibres):
-    return [run.reading(name, Drawing, name, run.body, with_mesh, with_fibres)
-            for _, name in shown]
+    return [run.reading(name, Drawing, name, run.body, with_mesh, with_fibres,
+                        run.obstacles.get(time))
+            for time, name in shown]
 
 
 def draw_picture(run, options, file_name):
@@ -105,8 +106,8 @@ def draw_picture(run, options, file_name):
 
 def draw_thumbnail(run, options, file_name):
     """Write the body at one time, without words; it fills the image."""
-    (_, name), = choose_times(run.series, [options.thumbnail], 1)
-    drawing, = read_drawings(run, [(0, name)], options.mesh, options.fibres)
+    shown = choose_times(run.series, [options.thumbnail], 1)
+    drawing, = read_drawings(run, shown, options.mesh, options.fibres)
     scales = Scales([drawing])
     # The window gets the shape of the image.
     size = scales.high - scales.low

@@ -100,7 +100,9 @@ class RunFolder:
             "mesh.csv", ["step", "t", "cycle", "cells", "unknowns", "refined",
                          "coarsened", "converged", "estimated_error",
                          "volume_change", "pressure_change"])
-        self.series = self.read_times()
+        self.series = self.read_times("solution.pvd")
+        self.obstacles = dict(self.read_times("obstacles.pvd"))
+        self.contact = self.read_contact()
 
     def read_description(self):
         file_name = self.path / DESCRIPTION
@@ -147,13 +149,21 @@ class RunFolder:
     def segment_numbers(self):
         return self.segments["segment"][:self.n_segments].astype(int)
 
-    def read_times(self):
-        """(time, PVTU file) of all times that have fields."""
-        file_name = self.path / "solution.pvd"
+    def read_contact(self):
+        """contact.csv and body.csv; None where the run has no contact."""
+        if not (self.path / "contact.csv").exists():
+            return None
+        return (self.table("contact.csv", ["t", "segment", "area", "sliding",
+                                             "anchored"]),
+                self.table("body.csv", ["t", "stride"]))
+
+    def read_times(self, name):
+        """(time, file) of all times in a PVD file, which need not be there."""
+        file_name = self.path / name
         if not file_name.exists():
             return []
         try:
-            return read_series(self.path)
+            return read_series(self.path, name)
         except (ElementTree.ParseError, ValueError, OSError) as error:
             raise PlotError(f"'{file_name}' cannot be read ({error}); run the "
                             "case again.") from error

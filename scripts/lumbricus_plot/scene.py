@@ -19,6 +19,8 @@ MUSCLE_COLOURS = LinearSegmentedColormap.from_list(
     "muscle", ["#f3e0d5", "#e39a83", "#c0392b", "#6d1010"])
 LINE_COLOUR = "#402020"
 FIBRE_COLOUR = "#14b8a6"
+OBSTACLE_COLOUR = "#b9a98a"
+OBSTACLE_OPACITY = 0.3
 # An image is the mean of so many dots in both directions; pyvista's own ways to
 # smooth edges depend on the driver.
 SUPERSAMPLING = 3
@@ -108,6 +110,8 @@ class Scene:
         self.add_lines(drawing.lines)
         if drawing.fibres is not None:
             self.add_fibres(*drawing.fibres)
+        if drawing.obstacles is not None:
+            self.add_obstacles(drawing.obstacles)
         plotter.renderer.ResetCameraClippingRange()
         plotter.render()
         image = Image.fromarray(plotter.screenshot(return_img=True))
@@ -134,6 +138,21 @@ class Scene:
             ball = pyvista.Sphere(radius=2 * self.dot, theta_resolution=8,
                                   phi_resolution=8)
             self.add(dots.glyph(geom=ball, orient=False, scale=False), **look)
+
+    def add_obstacles(self, surface):
+        """Translucent, with lines that stay where they are in the obstacle. What
+        is seen from within it would be in front of the body, and is left out."""
+        towards = surface.compute_normals(
+            point_normals=False, consistent_normals=False,
+            auto_orient_normals=False)["Normals"] @ VIEW.normal
+        surface = surface.extract_cells(towards > 0)
+        if surface.n_cells == 0:
+            return
+        look = {"lighting": False, "color": OBSTACLE_COLOUR,
+                "opacity": OBSTACLE_OPACITY}
+        self.add(surface, **look)
+        self.add(surface.extract_all_edges(), **look,
+                 line_width=0.5 * SUPERSAMPLING)
 
     def close(self):
         self.plotter.close()

@@ -7,7 +7,7 @@ import pyvista
 
 from .body import ON_PLANE
 from .fields import (EDGES_OF_FACE, FACES, MIDDLE, grid_of, have_no_partner,
-                     nodes_of_cells, place_keys, read_grid)
+                     nodes_of_cells, place_keys, read_grid, read_obstacles)
 
 # A curved face is drawn as 2^n x 2^n pairs of triangles, fewer of many faces.
 SUBDIVISIONS, SUBDIVISIONS_OF_MANY, MANY = 3, 2, 1500
@@ -151,7 +151,8 @@ def polylines(points):
 class Drawing:
     """All that is drawn of one time."""
 
-    def __init__(self, pvtu_file, body, with_mesh, with_fibres):
+    def __init__(self, pvtu_file, body, with_mesh, with_fibres,
+                 obstacles_file=None):
         faces = Faces(*body.opened(read_grid(pvtu_file)))
         # What is cut is drawn flat, so that its colour can be read.
         self.outside = faces.surface(faces.plane == 0)
@@ -159,6 +160,8 @@ class Drawing:
                      if (faces.plane == number).any()]
         self.lines = faces.lines(with_mesh)
         self.fibres = faces.fibres() if with_fibres else None
+        self.obstacles = (None if obstacles_file is None
+                          else read_obstacles(obstacles_file))
         for surface in (self.outside, *self.cuts):
             surface["liquid"] = np.isin(np.round(surface["tissue"]),
                                         body.liquid_tissues)

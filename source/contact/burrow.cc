@@ -3,9 +3,12 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/parameters/registry.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace lumbricus
@@ -122,6 +125,55 @@ namespace lumbricus
       const auto             along = dealii::outer_product(a, a);
       dealii::Tensor<2, dim> one = dealii::unit_symmetric_tensor<dim, double>();
       return {value(point, t), along + value(radius, t) * (one - along)};
+    }
+
+    Surface
+    surface(const LoadTime                 &t,
+            const dealii::BoundingBox<dim> &box,
+            const double                    spacing) const override
+    {
+      constexpr int n_around = 48;
+      const auto    P        = value(point, t);
+      const double  R        = value(radius, t);
+      const auto    a        = vector(axis) / vector(axis).norm();
+      const auto    wall =
+        [&](const auto &c, const auto &e, const auto &b, const int j) {
+          const double phi = 2. * dealii::numbers::PI * j / n_around;
+          return dealii::Point<dim>(
+            c + R * (std::cos(phi) * e + std::sin(phi) * b));
+        };
+      if (curvature == 0.)
+        {
+          const auto e_0 = dealii::Point<dim>::unit_vector(
+            std::abs(a[1]) < 0.9 ? 1 : 2);
+          const auto across = e_0 - (e_0 * a) * a;
+          const auto e      = across / across.norm();
+          const auto b      = dealii::cross_product_3d(a, e);
+          const auto rings  = range_around(
+            box, [&](const auto &x) { return (x - P) * a; }, spacing);
+          return grid(rings, {0, n_around}, [&](const int i, const int j) {
+            return wall(P + i * spacing * a, e, b, j);
+          });
+        }
+      // By the angle around the centre of the circle, zero at P, and once
+      // around at most.
+      const auto   in     = inwards() / inwards().norm();
+      const auto   up     = dealii::cross_product_3d(a, in);
+      const auto   centre = P + in / curvature;
+      const double angle  = spacing * curvature;
+      auto         rings  = range_around(
+        box,
+        [&](const auto &x) {
+          return std::atan2((x - centre) * a, -((x - centre) * in));
+        },
+        angle);
+      const int half = std::ceil(dealii::numbers::PI / angle);
+      rings.first    = std::max(rings.first, -half);
+      rings.last     = std::min(rings.last, half);
+      return grid(rings, {0, n_around}, [&](const int i, const int j) {
+        const auto e = std::sin(i * angle) * a - std::cos(i * angle) * in;
+        return wall(centre + e / curvature, e, -up, j);
+      });
     }
 
   private:

@@ -58,6 +58,29 @@ namespace lumbricus
       return {value(point, t), turned(direction(t))};
     }
 
+    Surface
+    surface(const LoadTime                 &t,
+            const dealii::BoundingBox<dim> &box,
+            const double                    spacing) const override
+    {
+      // Two directions along the plane, of which the first is along x where
+      // that is possible.
+      const auto n_0 = direction(0.);
+      const auto e =
+        dealii::Point<dim>::unit_vector(std::abs(n_0[0]) < 0.9 ? 0 : 1);
+      const auto along = e - (e * n_0) * n_0;
+      const auto a     = turned(direction(t)) * along / along.norm();
+      const auto b     = dealii::cross_product_3d(direction(t), a);
+      const auto P     = value(point, t);
+      const auto rows  = range_around(
+        box, [&](const auto &x) { return (x - P) * a; }, spacing);
+      const auto columns = range_around(
+        box, [&](const auto &x) { return (x - P) * b; }, spacing);
+      return grid(rows, columns, [&](const int i, const int j) {
+        return P + spacing * (i * a + j * b);
+      });
+    }
+
   private:
     dealii::Tensor<1, dim>
     direction(const LoadTime &t) const

@@ -2,8 +2,11 @@
 #include <lumbricus/contact/obstacle.h>
 #include <lumbricus/parameters/registry.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace lumbricus
@@ -61,6 +64,36 @@ namespace lumbricus
               value(radius, t) *
                 dealii::Tensor<2, dim>(
                   dealii::unit_symmetric_tensor<dim, double>())};
+    }
+
+    Surface
+    surface(const LoadTime                 &t,
+            const dealii::BoundingBox<dim> &box,
+            const double                    spacing) const override
+    {
+      // As on a globe, whose poles are along z: what is near the box, or all of
+      // it if that is nowhere near.
+      const auto   C = value(centre, t);
+      const double R = value(radius, t);
+      const int    n =
+        std::clamp(dealii::numbers::PI * R / spacing, 12., 120.);
+      const double step  = dealii::numbers::PI / n;
+      const auto   place = [&](const int i, const int j) {
+        const dealii::Point<dim> m(std::sin(i * step) * std::cos(j * step),
+                                   std::sin(i * step) * std::sin(j * step),
+                                   std::cos(i * step));
+        return C + R * m;
+      };
+      const Surface            whole  = grid({0, n}, {0, 2 * n}, place);
+      dealii::BoundingBox<dim> around = box;
+      around.extend(2. * spacing);
+      Surface part{whole.points, {}};
+      for (const auto &quad : whole.quads)
+        if (std::any_of(quad.begin(), quad.end(), [&](const unsigned int p) {
+              return around.point_inside(whole.points[p]);
+            }))
+          part.quads.push_back(quad);
+      return part.quads.empty() ? whole : part;
     }
 
   private:

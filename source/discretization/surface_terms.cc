@@ -194,7 +194,9 @@ namespace lumbricus
     for_each_node(state,
                   state.solution,
                   state.time,
-                  [&](const unsigned int      number,
+                  [&](const OwnedCell & /*cell*/,
+                      const unsigned int /*node*/,
+                      const unsigned int      number,
                       const SurfacePoint     &point,
                       dealii::Tensor<1, dim> &history) {
                     conditions.condition(number).surface_term()->remember(
@@ -227,7 +229,9 @@ namespace lumbricus
     for_each_node(state,
                   state.solution,
                   t,
-                  [&](const unsigned int      number,
+                  [&](const OwnedCell & /*cell*/,
+                      const unsigned int /*node*/,
+                      const unsigned int      number,
                       const SurfacePoint     &point,
                       dealii::Tensor<1, dim> &history) {
                     if (is_due[number] > 0)
@@ -250,10 +254,30 @@ namespace lumbricus
     for_each_node(state,
                   solution,
                   t,
-                  [&](const unsigned int  number,
+                  [&](const OwnedCell & /*cell*/,
+                      const unsigned int /*node*/,
+                      const unsigned int  number,
                       const SurfacePoint &point,
                       const dealii::Tensor<1, dim> & /*history*/) {
                     function(number, point);
+                  });
+  }
+
+
+
+  void
+  SurfaceTerms::visit_cell_nodes(const State            &state,
+                                 const CellNodeListener &listener) const
+  {
+    for_each_node(state,
+                  state.solution,
+                  state.time,
+                  [&](const OwnedCell    &cell,
+                      const unsigned int  node,
+                      const unsigned int  number,
+                      const SurfacePoint &point,
+                      const dealii::Tensor<1, dim> & /*history*/) {
+                    listener(cell, node, number, point);
                   });
   }
 
@@ -413,7 +437,7 @@ namespace lumbricus
                     remembered(rest_indices[space.rest_dof[c][n]]);
                 }
               dealii::Tensor<1, dim> history = point.history;
-              function(number, point, history);
+              function(owned, n, number, point, history);
               if constexpr (!std::is_const_v<StateType>)
                 for (unsigned int c = 0; c < dim; ++c)
                   remembered(rest_indices[space.rest_dof[c][n]]) = history[c];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/discretization/surface_terms.h>
 #include <lumbricus/output/cell_fields.h>
 
 #include <deal.II/base/exceptions.h>
@@ -7,6 +8,9 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_tools.h>
+
+#include <cmath>
+#include <utility>
 
 #include "cavity_points.h"
 
@@ -31,10 +35,12 @@ namespace lumbricus
   CellFields::CellFields(const Body                    &body,
                          const ReferenceField          &references,
                          const LiquidWeight            &weight,
+                         const BoundaryConditions      &conditions,
                          const std::vector<FieldArray> &arrays)
     : body(body)
     , references(references)
     , weight(weight)
+    , conditions(conditions)
     , fields_dof_handler(body.space.triangulation)
   {
     for (const FieldArray &array : arrays)
@@ -95,8 +101,57 @@ namespace lumbricus
       if (point.q + 1 == n_q)
         finish_cell(point);
     });
+    update_skin(state);
     field_values.update_ghost_values();
     update_filling_cells(state);
+  }
+
+
+
+  void
+  CellFields::update_skin(const State &state)
+  {
+    // Where the components of each begin.
+    std::vector<std::pair<const SurfaceField *, unsigned int>> on_skin;
+    unsigned int                                               component = 0;
+    for (const FieldArray &array : nodal)
+      {
+        const auto *field = dynamic_cast<const SurfaceField *>(array.field);
+        if (field != nullptr)
+          on_skin.emplace_back(field, component);
+        component += array.field->n_components();
+      }
+    if (on_skin.empty())
+      return;
+
+    const MixedSpace &space = body.space;
+    std::vector<dealii::types::global_dof_index> indices(fe->n_dofs_per_cell());
+    std::vector<double> values(fe->n_components());
+    SurfaceTerms(body, conditions)
+      .visit_cell_nodes(
+        state,
+        [&](const OwnedCell    &cell,
+            const unsigned int  node,
+            const unsigned int  condition,
+            const SurfacePoint &point) {
+          same_cell(cell.iterator, fields_dof_handler)
+            ->get_dof_indices(indices);
+          // Nodes are in rows of three here.
+          const auto x =
+            space.fe.unit_support_point(space.displacement_dof[0][node]);
+          const unsigned int place =
+            std::round(2. * x[0] + 6. * x[1] + 18. * x[2]);
+          const SurfaceTerm &term =
+            *conditions.condition(condition).surface_term();
+          for (const auto &[field, first] : on_skin)
+            {
+              field->get_on_skin(term, point, values.data());
+              for (unsigned int c = 0; c < field->n_components(); ++c)
+                field_values(
+                  indices[fe->component_to_system_index(first + c, place)]) +=
+                  values[c];
+            }
+        });
   }
 
 

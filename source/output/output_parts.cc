@@ -94,7 +94,8 @@ namespace lumbricus
     // Where two have the same place they are in the order of their names.
     std::vector<std::pair<std::string, const Field *>> in_order;
     for (const auto &[name, field] : all_fields)
-      in_order.emplace_back(name, field.get());
+      if (field->applies_to(conditions))
+        in_order.emplace_back(name, field.get());
     std::stable_sort(in_order.begin(),
                      in_order.end(),
                      [](const auto &a, const auto &b) {

@@ -3,18 +3,20 @@
 
 namespace lumbricus
 {
-  Results::Results(RunFolder            &folder,
-                   const Body           &body,
-                   const ReferenceField &references,
-                   const LiquidWeight   &weight,
-                   OutputParts          &parts,
-                   const unsigned int    pictures_every)
+  Results::Results(RunFolder                &folder,
+                   const Body               &body,
+                   const ReferenceField     &references,
+                   const LiquidWeight       &weight,
+                   const BoundaryConditions &conditions,
+                   OutputParts              &parts,
+                   const unsigned int        pictures_every)
     : body(body)
     , references(references)
     , weight(weight)
+    , conditions(conditions)
     , parts(parts)
     , pictures_every(pictures_every)
-    , cell_fields(body, references, weight, parts.field_arrays())
+    , cell_fields(body, references, weight, conditions, parts.field_arrays())
   {
     for (const auto &[name, table] : parts.tables())
       tables.push_back({table,
@@ -53,7 +55,20 @@ namespace lumbricus
     picture_is_current =
       pictures_every > 0 && step.number % pictures_every == 0;
     if (picture_is_current)
-      parts.format().write(state, context.fields());
+      {
+        context.fields();
+        write_picture(state);
+      }
+  }
+
+
+
+  void
+  Results::write_picture(const State &state)
+  {
+    parts.format().write(state,
+                         cell_fields,
+                         obstacle_surfaces(body, conditions, state));
   }
 
 
@@ -64,7 +79,7 @@ namespace lumbricus
     if (picture_is_current)
       return;
     cell_fields.update(state);
-    parts.format().write(state, cell_fields);
+    write_picture(state);
     picture_is_current = true;
   }
 

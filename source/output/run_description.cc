@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/contact/contacts.h>
 #include <lumbricus/core/build_version.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/number_in_text.h>
@@ -140,6 +141,23 @@ namespace lumbricus
 
 
     JsonValue
+    obstacles_of(const BoundaryConditions &conditions)
+    {
+      JsonValue  all      = JsonValue::array();
+      const auto contacts = contacts_of(conditions);
+      for (unsigned int i = 0; i < contacts.size(); ++i)
+        if (contacts[i] != nullptr)
+          all.append(
+            JsonValue::object()
+              .add("name", conditions.condition(i).name)
+              .add("boundary", conditions.condition(i).boundary_name)
+              .add("shape", contacts[i]->obstacle_name()));
+      return all;
+    }
+
+
+
+    JsonValue
     all_of(const std::vector<RunCosts::Part> &parts)
     {
       JsonValue all = JsonValue::array();
@@ -233,6 +251,7 @@ namespace lumbricus
              .add("muscles", muscles_of(anatomy))
              .add("boundaries", geometry.boundary_names());
     boundary_conditions = all_of(conditions);
+    obstacles           = obstacles_of(conditions);
   }
 
 
@@ -287,6 +306,7 @@ namespace lumbricus
         .add("body", body)
         .add("boundary_conditions", boundary_conditions)
         .add("body_forces", body_forces)
+        .add("obstacles", obstacles)
         .add("where_the_time_went", all_of(status.costs))
         .add("parameters", parameters);
     folder.on_first_rank([&]() {

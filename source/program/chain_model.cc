@@ -219,6 +219,7 @@ namespace lumbricus
   std::vector<ContactState>
   ChainModel::contacts_of_body(const State &state)
   {
+    dealii::TimerOutput::Scope scope(timer, "output");
     surface_terms.set_to(state);
     return contact_states(body,
                           parameters.boundary_conditions,
@@ -232,6 +233,7 @@ namespace lumbricus
   BodyMotion
   ChainModel::motion_of_body(const State &state)
   {
+    dealii::TimerOutput::Scope scope(timer, "output");
     return body_motion(body,
                        parameters.boundary_conditions,
                        liquid_weight,

@@ -79,6 +79,7 @@ namespace lumbricus
                                         model.body,
                                         model.references,
                                         model.liquid_weight,
+                                        parameters.boundary_conditions,
                                         parameters.output_parts,
                                         parameters.output_every);
   }

@@ -108,6 +108,7 @@ namespace lumbricus
       CellFields        fields(model.body,
                         model.references,
                         model.liquid_weight,
+                        model.parameters.boundary_conditions,
                         model.parameters.output_parts.field_arrays(
                           fields_for_estimate()));
       fields.reinit();

@@ -143,7 +143,7 @@ def test_files_of_the_user_stay(tmp_path, elsewhere):
 @pytest.mark.parametrize("name, ranks", [
     ("parameters.prm", 1), ("parameters.prm", 2), ("segments.csv", 1),
     ("newton.csv", 2), ("log.txt", 1), ("run.json", 1), ("solution.pvd", 1),
-    ("points.csv", 1),
+    ("points.csv", 1), ("obstacles.pvd", 2), ("vtu/obstacles_00007.vtu", 1),
     ("vtu/solution_00007.3.vtu", 1), ("vtu/solution_00007.pvtu", 2),
     ("vtu", 1), ("steps.csv.incomplete", 1), ("lumbricus.run", 1),
     ("lumbricus.lock", 1), ("link to log.txt", 1), ("link to nothing", 1)])

@@ -284,3 +284,13 @@ def test_restart_in_the_middle_of_a_slip(tmp_path):
             for a, b in zip(one.split(","), other.split(",")):
                 assert a == b or float(a) == pytest.approx(
                     float(b), rel=1e-8, abs=1e-11)
+
+
+def test_refined_cells_under_contact(tmp_path):
+    """Hanging nodes change neither the sums nor the area."""
+    run_well(GROUND, tmp_path, [
+        "Boundary conditions/ground/contact/Friction=0.3, 0.6, 0.45",
+        "Adaptivity/Every=1", "Time/End=0.5", "Time/First step=0.25"], 2)
+    assert table(tmp_path, "mesh.csv")[-1]["refined"] > 0
+    assert contacts(tmp_path)[-1]["area"] == pytest.approx(1, rel=1e-12)
+    check_sums(tmp_path)

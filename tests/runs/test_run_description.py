@@ -44,7 +44,7 @@ def test_what_it_is(chain):
     found = described(result.folder)
     assert list(found) == ["format", "program", "title", "status", "restart",
                            "body", "boundary_conditions", "body_forces",
-                           "where_the_time_went", "parameters"]
+                           "obstacles", "where_the_time_went", "parameters"]
     assert found["format"] == 1
     assert found["title"] == 'A "worm" of 2 mm², \\ and µm'
     assert found["restart"] is None
@@ -70,7 +70,8 @@ def test_what_it_is(chain):
                      "activation": "expression"}],
         "boundaries": found["body"]["boundaries"]}
     assert "skin" in found["body"]["boundaries"]
-    assert found["boundary_conditions"] == found["body_forces"] == []
+    assert found["boundary_conditions"] == found["body_forces"] == \
+        found["obstacles"] == []
 
 
 def test_how_it_went(chain):

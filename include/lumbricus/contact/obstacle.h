@@ -8,9 +8,12 @@
 #include <lumbricus/parameters/expression.h>
 #include <lumbricus/parameters/vector_expression.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -68,7 +71,48 @@ namespace lumbricus
     dealii::Point<dim>
     carried_back(const dealii::Point<dim> &x, const LoadTime &t) const;
 
+    /** Quadrilaterals to draw, each by the numbers of its corners: around, so that
+     * the normal points away from the obstacle. */
+    struct Surface
+    {
+      std::vector<dealii::Point<dim>>          points; ///< [mm]
+      std::vector<std::array<unsigned int, 4>> quads;  ///< by points
+    };
+
+    /** What there is of its surface in and around @p box at time @p t, for
+     * pictures: quadrilaterals of about @p spacing that stay where they are in
+     * the obstacle. None where it is not drawn. */
+    virtual Surface
+    surface(const LoadTime & /*t*/,
+            const dealii::BoundingBox<dim> & /*box*/,
+            const double /*spacing*/) const
+    {
+      return {};
+    }
+
   protected:
+    /** Whole numbers, all from the first to the last. */
+    struct Range
+    {
+      int first; ///< the smallest
+      int last;  ///< the largest
+    };
+
+    /** The surface whose points are @p place(i, j), with i and j in these
+     * ranges. */
+    static Surface
+    grid(const Range                                                   &rows,
+         const Range                                                   &columns,
+         const std::function<dealii::Point<dim>(const int, const int)> &place);
+
+    /** The whole numbers around what @p coordinate says of the corners of
+     * @p box, divided by @p spacing. */
+    static Range
+    range_around(
+      const dealii::BoundingBox<dim> &box,
+      const std::function<double(const dealii::Point<dim> &)> &coordinate,
+      const double                                             spacing);
+
     /** The value of a formula in t alone; before the first load it is what it is
      * at time zero. */
     static double

@@ -87,6 +87,19 @@ namespace lumbricus
       const std::function<void(const unsigned int, const SurfacePoint &)>
         &function) const;
 
+    /** Called with a cell, one of its nodes, the number of a condition and what
+     * that may depend on. */
+    using CellNodeListener = std::function<void(const OwnedCell &,
+                                                const unsigned int,
+                                                const unsigned int,
+                                                const SurfacePoint &)>;
+
+    /** Call @p listener where visit_nodes() says, for the solution and time of
+     * @p state. Collective. */
+    void
+    visit_cell_nodes(const State            &state,
+                     const CellNodeListener &listener) const;
+
     /**
      * Call @p listener at the quadrature points of all faces at the boundary of
      * @p cell, for every term that acts there, at the displacements @p u,
@@ -128,8 +141,8 @@ namespace lumbricus
     void
     for_each_memory(const Function &function) const;
 
-    /** Call @p function(condition, point, history) at all nodes that remember,
-     * where the last is what the state has, to read or to change. */
+    /** Call @p function(cell, node, condition, point, history) at all nodes that
+     * remember, where the last is what the state has, to read or to change. */
     template <typename StateType, typename Function>
     void
     for_each_node(StateType      &state,

@@ -52,6 +52,7 @@ namespace lumbricus
     CellFields(const Body                    &body,
                const ReferenceField          &references,
                const LiquidWeight            &weight,
+               const BoundaryConditions      &conditions,
                const std::vector<FieldArray> &arrays);
 
     /** After every change of the mesh. Collective. */
@@ -100,12 +101,17 @@ namespace lumbricus
     void
     update_filling_cells(const State &state);
 
+    /** The values of each SurfaceField. */
+    void
+    update_skin(const State &state);
+
     /** Write the values of the nodal arrays at @p point from @p next on. */
     void
     get_nodal(FieldPoint &point, double *next) const;
 
     const ReferenceField &references;
     const LiquidWeight   &weight;
+    const BoundaryConditions &conditions;
 
     std::vector<FieldArray> nodal;
     std::vector<FieldArray> per_cell;

@@ -3,9 +3,11 @@
 #define lumbricus_output_field_h
 
 #include <lumbricus/output/field_point.h>
+#include <lumbricus/terms/boundary_conditions.h>
 
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -14,7 +16,7 @@ namespace lumbricus
   /**
    * A quantity at every point of the body, for pictures and material points.
    * The name it registers itself by is that of its array; derive from one of
-   * the four classes below, which have the function of a point.
+   * the classes below, which have the function of a point.
    */
   class Field
   {
@@ -41,6 +43,14 @@ namespace lumbricus
     /** Write n_components() numbers to @p values: those at @p point. */
     virtual void
     get(const FieldPoint &point, double *values) const = 0;
+
+    /** Whether there is one in a run where these conditions act. Asked when all
+     * parameters have been initialized. */
+    virtual bool
+    applies_to(const BoundaryConditions & /*conditions*/) const
+    {
+      return true;
+    }
 
     /** Whether there is one for each muscle, FieldPoint::muscle. */
     virtual bool
@@ -114,6 +124,66 @@ namespace lumbricus
 
   /** A number for every cell: the value at the last point of it. */
   using CellField = FieldOf<double, Field::Kind::scalar_per_cell>;
+
+
+
+  /**
+   * A field that is there on the skin alone, where a SurfaceTerm acts that
+   * remembers something: a value at each node, the sum over these terms.
+   * Elsewhere it is zero, and within the cells at the skin it falls to that.
+   */
+  class SurfaceField : public Field
+  {
+  public:
+    /** Write n_components() zeros. */
+    void
+    get(const FieldPoint & /*point*/, double *values) const final
+    {
+      std::fill_n(values, n_components(), 0.);
+    }
+
+    /** Write n_components() numbers to @p values: those at the node @p point,
+     * where @p term acts; its N and F are not there. */
+    virtual void
+    get_on_skin(const SurfaceTerm  &term,
+                const SurfacePoint &point,
+                double             *values) const = 0;
+  };
+
+
+
+  /** A field on the skin whose value is a @p Value. */
+  template <typename Value, Field::Kind its_kind>
+  class SurfaceFieldOf : public SurfaceField
+  {
+  public:
+    Kind
+    kind() const final
+    {
+      return its_kind;
+    }
+
+    void
+    get_on_skin(const SurfaceTerm  &term,
+                const SurfacePoint &point,
+                double             *values) const final
+    {
+      store(value(term, point), values);
+    }
+
+    /** The value at @p point, where @p term acts. */
+    virtual Value
+    value(const SurfaceTerm &term, const SurfacePoint &point) const = 0;
+  };
+
+
+
+  /** A field of numbers on the skin. */
+  using SurfaceScalarField = SurfaceFieldOf<double, Field::Kind::scalar>;
+
+  /** A field of vectors on the skin. */
+  using SurfaceVectorField =
+    SurfaceFieldOf<dealii::Tensor<1, dim>, Field::Kind::vector>;
 } // namespace lumbricus
 
 #endif

@@ -3,6 +3,7 @@
 #define lumbricus_output_output_format_h
 
 #include <lumbricus/output/cell_fields.h>
+#include <lumbricus/output/obstacle_surfaces.h>
 #include <lumbricus/output/run_folder.h>
 #include <lumbricus/parameters/parameter_owner.h>
 
@@ -41,9 +42,12 @@ namespace lumbricus
     claim(RunFolder &folder) = 0;
 
     /** Write the picture of @p state with @p fields, which are computed at that
-     * state. Throws ExcSolveFailed. Collective. */
+     * state, and the surfaces of obstacles beside the body, the same on all
+     * ranks. Throws ExcSolveFailed. Collective. */
     virtual void
-    write(const State &state, const CellFields &fields) = 0;
+    write(const State                          &state,
+          const CellFields                     &fields,
+          const std::vector<Obstacle::Surface> &obstacles) = 0;
 
     /** The pictures so far. */
     virtual const Pictures &

@@ -24,12 +24,13 @@ namespace lumbricus
      * Throws ExcInput for files in the folder that no run has written.
      * Collective.
      */
-    Results(RunFolder            &folder,
-            const Body           &body,
-            const ReferenceField &references,
-            const LiquidWeight   &weight,
-            OutputParts          &parts,
-            const unsigned int    pictures_every);
+    Results(RunFolder                &folder,
+            const Body               &body,
+            const ReferenceField     &references,
+            const LiquidWeight       &weight,
+            const BoundaryConditions &conditions,
+            OutputParts              &parts,
+            const unsigned int        pictures_every);
 
     /** After every change of the mesh. Collective. */
     void
@@ -61,14 +62,19 @@ namespace lumbricus
       std::unique_ptr<CsvTable> file;
     };
 
-    const Body               body;
-    const ReferenceField    &references;
-    const LiquidWeight      &weight;
-    OutputParts             &parts;
-    const unsigned int       pictures_every;
-    std::vector<TableOnDisk> tables;
-    CellFields               cell_fields;
-    bool                     picture_is_current = false;
+    /** Write the picture of @p state, which the fields are of. */
+    void
+    write_picture(const State &state);
+
+    const Body                body;
+    const ReferenceField     &references;
+    const LiquidWeight       &weight;
+    const BoundaryConditions &conditions;
+    OutputParts              &parts;
+    const unsigned int        pictures_every;
+    std::vector<TableOnDisk>  tables;
+    CellFields                cell_fields;
+    bool                      picture_is_current = false;
   };
 } // namespace lumbricus
 

@@ -101,6 +101,7 @@ namespace lumbricus
     JsonValue   body;
     JsonValue   boundary_conditions;
     JsonValue   body_forces;
+    JsonValue   obstacles;
     JsonValue   parameters;
   };
 } // namespace lumbricus

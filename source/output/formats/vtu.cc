@@ -25,6 +25,7 @@ namespace lumbricus
   {
     const std::string sub_folder  = "vtu";
     const std::string series_name = "solution.pvd";
+    const std::string obstacles_series_name = "obstacles.pvd";
 
     // The name of picture @p number without its ending.
     std::string
@@ -35,16 +36,27 @@ namespace lumbricus
 
 
 
+    // The file with the obstacles of picture @p number, in the folder.
+    std::string
+    obstacles_name(const unsigned int number)
+    {
+      return sub_folder + "/obstacles_" +
+             dealii::Utilities::to_string(number, 5) + ".vtu";
+    }
+
+
+
     // The picture that a file in the folder of pictures belongs to.
     std::optional<unsigned int>
     number_of(const std::string &name)
     {
       static const std::regex form(
-        "solution_([0-9]{5,9})\\.(?:[0-9]{1,9}\\.vtu|pvtu)");
+        "solution_([0-9]{5,9})\\.(?:[0-9]{1,9}\\.vtu|pvtu)|"
+        "obstacles_([0-9]{5,9})\\.vtu");
       std::smatch parts;
       if (name.size() > 40 || !std::regex_match(name, parts, form))
         return {};
-      return std::stoul(parts[1]);
+      return std::stoul(parts[parts[1].matched ? 1 : 2]);
     }
 
 
@@ -205,7 +217,9 @@ namespace lumbricus
     claim(RunFolder &folder) override;
 
     void
-    write(const State &state, const CellFields &fields) override;
+    write(const State                          &state,
+          const CellFields                     &fields,
+          const std::vector<Obstacle::Surface> &obstacles) override;
 
     const Pictures &
     pictures() const override;
@@ -214,6 +228,10 @@ namespace lumbricus
     continue_after(const Pictures &pictures) override;
 
   private:
+    void
+    write_obstacles(const std::vector<Obstacle::Surface> &obstacles,
+                    const bool                            is_first_rank) const;
+
     const RunFolder *folder = nullptr;
     Pictures         times_and_names;
   };
@@ -233,6 +251,7 @@ namespace lumbricus
   {
     folder = &run_folder;
     run_folder.claim(series_name);
+    run_folder.claim(obstacles_series_name);
     run_folder.claim_folder(sub_folder, [](const std::string &name) {
       return number_of(name).has_value();
     });
@@ -263,7 +282,9 @@ namespace lumbricus
 
 
   void
-  Vtu::write(const State &state, const CellFields &fields)
+  Vtu::write(const State                          &state,
+             const CellFields                     &fields,
+             const std::vector<Obstacle::Surface> &obstacles)
   {
     const MixedSpace  &space   = fields.body.space;
     const MPI_Comm     comm    = space.communicator();
@@ -296,6 +317,8 @@ namespace lumbricus
       std::vector<std::string> names = {whole};
       for (const std::string &piece : pieces)
         names.push_back(sub_folder + "/" + piece);
+      if (!obstacles.empty())
+        names.push_back(obstacles_name(number));
       folder->record().add_files(names);
     });
     folder->write_collectively(sub_folder + "/" + pieces[rank],
@@ -311,6 +334,48 @@ namespace lumbricus
     folder->write_collectively(
       series_name, rank == 0, [&](std::ostream &out) {
         dealii::DataOutBase::write_pvd_record(out, times_and_names);
+      });
+    if (!obstacles.empty())
+      write_obstacles(obstacles, rank == 0);
+  }
+
+
+
+  void
+  Vtu::write_obstacles(const std::vector<Obstacle::Surface> &obstacles,
+                       const bool is_first_rank) const
+  {
+    using Patch = dealii::DataOutBase::Patch<2, dim>;
+    std::vector<Patch> patches;
+    for (unsigned int i = 0; i < obstacles.size(); ++i)
+      for (const auto &quad : obstacles[i].quads)
+        {
+          Patch patch;
+          // Not around, but in rows.
+          const unsigned int in_rows[4] = {quad[0], quad[1], quad[3], quad[2]};
+          for (unsigned int v = 0; v < 4; ++v)
+            patch.vertices[v] = obstacles[i].points[in_rows[v]];
+          patch.reference_cell = dealii::ReferenceCells::get_hypercube<2>();
+          patch.patch_index    = patches.size();
+          patch.n_subdivisions = 1;
+          patch.data.reinit(1, 4);
+          for (unsigned int v = 0; v < 4; ++v)
+            patch.data(0, v) = i + 1.;
+          patches.push_back(patch);
+        }
+    Pictures series = times_and_names;
+    for (unsigned int i = 0; i < series.size(); ++i)
+      series[i].second = obstacles_name(i);
+    dealii::DataOutBase::VtkFlags flags;
+    flags.time = series.back().first;
+    folder->write_collectively(
+      series.back().second, is_first_rank, [&](std::ostream &out) {
+        dealii::DataOutBase::write_vtu(
+          patches, {"obstacle"}, {}, flags, out);
+      });
+    folder->write_collectively(
+      obstacles_series_name, is_first_rank, [&](std::ostream &out) {
+        dealii::DataOutBase::write_pvd_record(out, series);
       });
   }
 
