@@ -140,8 +140,9 @@ namespace lumbricus
   {
     const Standing found = standing(point);
     response.T           = found.p * found.n + found.friction.T;
-    response.dT_du       = found.dTn_du + found.friction.dT_dx +
-                     found.friction.stabilisation;
+    response.dT_du       = found.dTn_du + found.friction.dT_dx;
+    response.sticks        = found.friction.sticks;
+    response.stabilisation = found.friction.stabilisation;
   }
 
 

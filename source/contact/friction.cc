@@ -200,7 +200,8 @@ namespace lumbricus
       }
     if (!is_held)
       response.kept -= (f * response.kept) * f;
-    response.holds = k_1.k > 0. || other.k > 0. || k_2.k > 0. ||
+    response.sticks = q < 1. && (K.k > 0. || k_2.k > 0.);
+    response.holds  = k_1.k > 0. || other.k > 0. || k_2.k > 0. ||
                      response.stabilisation.norm_square() > 0.;
     return response;
   }

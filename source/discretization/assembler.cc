@@ -98,7 +98,9 @@ namespace lumbricus
   Assembler::Report
   Assembler::residual(const Vector &solution, const LoadTime &t, Vector &r)
   {
-    return assemble(solution, t, false, r);
+    const Report report = assemble(solution, t, false, r);
+    n_stuck             = report.n_sticking;
+    return report;
   }
 
 
@@ -151,6 +153,7 @@ namespace lumbricus
       linearisation.clear_surface_matrices();
 
     rounding.clear();
+    n_sticking = 0.;
     Report report;
     report.min_J              = std::numeric_limits<double>::max();
     double force_square = 0.;
@@ -212,11 +215,13 @@ namespace lumbricus
     const auto comm = body.space.communicator();
     double     sums[] = {force_square,
                          rounding.force_square(),
-                         rounding.volume()};
+                         rounding.volume(),
+                         n_sticking};
     dealii::Utilities::MPI::sum(sums, comm, sums);
     report.force_level     = std::sqrt(sums[0]);
     report.force_rounding  = std::sqrt(sums[1]);
     report.volume_rounding = sums[2];
+    report.n_sticking      = sums[3];
     const auto least = dealii::Utilities::MPI::min_max_avg(report.min_J, comm);
     report.min_J_segment =
       dealii::Utilities::MPI::broadcast(comm,
@@ -243,16 +248,20 @@ namespace lumbricus
                     const SurfaceResponse &response) {
                   const SurfaceKernel &point = terms.point();
                   subtract_force(point.JxW, point.values, response.T, residual);
+                  n_sticking += response.sticks;
                   if (!with_tangent || !response.depends_on_shape())
                     return;
                   matrix.resize(n_per_cell * n_per_cell);
+                  const dealii::Tensor<2, dim> dT_du =
+                    n_stuck > 0. ? response.dT_du :
+                                   response.dT_du + response.stabilisation;
                   subtract_derivative(
                     point.JxW,
                     point.values,
                     [&](const unsigned int c,
                         const unsigned int k,
                         const unsigned int m) {
-                      return response.dT_du[c][k] * point.values[m] +
+                      return dT_du[c][k] * point.values[m] +
                              response.dT_dF[c][k] * point.gradients[m];
                     },
                     matrix);

@@ -59,6 +59,8 @@ namespace lumbricus
     {
       dealii::Tensor<1, dim> s; ///< slip: the way within the tangent plane [mm]
       bool                   slides = false; ///< whether q > 1
+      /** Whether q < 1, and there is something to hold it. */
+      bool sticks = false;
       /** What is left of s when the anchor has followed: q = 1 [mm]. */
       dealii::Tensor<1, dim> kept;
       /** k_1, k_2 at least one of which is not zero. */

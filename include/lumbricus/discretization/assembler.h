@@ -45,6 +45,8 @@ namespace lumbricus
       double min_J = 1.;
       /** The segment of min_J, from zero. */
       unsigned int min_J_segment = 0;
+      /** How many points of the boundary stick, see SurfaceResponse::sticks. */
+      double n_sticking = 0.;
 
       /** Whether no cell is folded: det F > 0 at all quadrature points. */
       bool
@@ -83,7 +85,9 @@ namespace lumbricus
 
     /**
      * Compute the tangent and the right-hand side -r, with the
-     * inhomogeneities of the supports brought to it. Collective.
+     * inhomogeneities of the supports brought to it. The tangent is exact but
+     * where no point stuck at the last residual: then it is stabilised, see
+     * SurfaceResponse::stabilisation. Collective.
      */
     Report
     linearise(const Vector &solution, const LoadTime &t);
@@ -155,6 +159,9 @@ namespace lumbricus
     Tangent      linearisation;
     Vector       u; // the solution with ghost entries
     Vector       rhs;
+    /** Points that stick: of the cells so far, and of the body at the last
+     * residual. */
+    double n_sticking = 0., n_stuck = 0.;
 
     RoundingLevel rounding;
 

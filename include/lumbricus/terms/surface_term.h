@@ -51,12 +51,18 @@ namespace lumbricus
     dealii::Tensor<2, dim> dT_du; ///< [N/mm^3]
     /** [i][k][L] = dT_i/dF_kL */
     dealii::Tensor<3, dim> dT_dF;
+    /** Whether the point is held by something that would give way. */
+    bool sticks = false;
+    /** To be added to dT_du where no point of the body sticks, so that the
+     * tangent has an inverse [N/mm^3]. */
+    dealii::Tensor<2, dim> stabilisation;
 
     /** Whether the derivatives are there at all. */
     bool
     depends_on_shape() const
     {
-      return dT_du.norm_square() > 0. || dT_dF.norm_square() > 0.;
+      return dT_du.norm_square() > 0. || dT_dF.norm_square() > 0. ||
+             stabilisation.norm_square() > 0.;
     }
   };
 
