@@ -22,7 +22,7 @@ namespace lumbricus
     // Where all of a skin slides this part of the stiffness against slip is left,
     // so that the tangent of a body that lies free has an inverse, and Newton's
     // method still converges as well as it has to.
-    constexpr double part_of_stiffness = 1e-3;
+    constexpr double part_of_stiffness = 1e-5;
 
     // A limit k of the traction and dk/dx.
     struct Limit

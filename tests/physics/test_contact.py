@@ -61,7 +61,7 @@ def in_burrow(radius, pressure, cells, *more):
             f"{geometry}Cells around a quarter={cells}",
             f"{geometry}Cells across each wall layer={cells}",
             "Tissues/wall/Law=Neo-Hooke", "Tissues/wall/Neo-Hooke/a=1",
-            f"Boundary conditions/inflation/follower pressure/Pressure={pressure}*t",
+            f"Boundary conditions/inflation/follower pressure/Pressure={pressure}*min(1, t)",
             "Boundary conditions/Names=inflation, front, rear, burrow",
             *condition("burrow", "contact", "skin", Obstacle="burrow",
                        Penetration=1e-7),
@@ -77,7 +77,7 @@ def test_tube_in_burrow(tmp_path, radius, pressure, expected):
     """The wall carries P - p_c = int (b^2 - a^2) ..., and what is left presses on
     the burrow; order 4 at least between meshes that are fine enough."""
     errors, radii = [], []
-    for cells in (1, 2, 4):
+    for cells in (2, 4, 8):
         folder = tmp_path / str(cells)
         run_well(TUBE, folder, in_burrow(radius, pressure, cells))
         contact = table_of_contact(folder)[-1]
@@ -85,7 +85,6 @@ def test_tube_in_burrow(tmp_path, radius, pressure, expected):
         found = contact["normal_force"] / (0.5 * math.pi * 1.5)
         errors.append(abs(found * 1.5 / radius - expected))
         radii.append(1 + table(folder, "points.csv")[-1]["uy"])
-    print(errors, radii)
     assert errors[2] < 1e-5
     assert math.log2(errors[1] / errors[2]) > 3.5
     assert radii[2] == pytest.approx(math.sqrt(radius**2 - 1.25), abs=1e-5)
@@ -93,22 +92,26 @@ def test_tube_in_burrow(tmp_path, radius, pressure, expected):
 
 @RANKS
 def test_pulled_through_burrow(tmp_path, ranks):
-    """With mu = 0.3 the burrow that moves along pulls with mu p_c times the area it
-    touches."""
-    expected = 0.3 * 2 * math.pi * 1.75 * 0.36531226
+    """The burrow that moves along pulls with mu p_c times the area it touches: mu
+    is small, since the ends of the tube, which are held, feel the shear."""
+    mu = 0.03
     run_well(TUBE, tmp_path, in_burrow(
-        1.75, 0.6, 2, "Boundary conditions/burrow/contact/Friction=0.3, 0.3, 0.3",
-        "Boundary conditions/burrow/contact/burrow/Point=0.02*max(0, t - 1); 0; 0",
+        1.75, 0.6, 4,
+        f"Boundary conditions/burrow/contact/Friction={mu}, {mu}, {mu}",
+        "Boundary conditions/burrow/contact/burrow/Point=max(0, t - 1); 0; 0",
         "Time/End=2"), ranks)
     force = reactions(tmp_path)[2, "burrow"]
+    expected = mu * 2 * math.pi * 1.75 * 0.36531226
     assert 4 * force[0] == pytest.approx(expected, rel=1e-4)
 
 
 def test_filled_tube_in_burrow(tmp_path):
-    """The length is (B/R_b)^2, and the liquid presses as the burrow does."""
-    length = 0.9578995020
+    """A tube whose longitudinal muscle contracts to 0.7 is as long as (B/R_b)^2,
+    its ends free of forces, when the liquid presses as the burrow does."""
+    length, pressure = 0.9578995020, 2.7236106042e-2
     run_well(PISTONS, tmp_path, [
         "Geometry/open cylinder/Radius=2",
+        "Geometry/open cylinder/Cells around a quarter=6",
         "Geometry/open cylinder/Wall layers=longitudinal layer, circular layer",
         "Geometry/open cylinder/Wall layer thicknesses=0.15, 0.15",
         "Tissues/longitudinal layer/Muscles=longitudinal",
@@ -116,18 +119,20 @@ def test_filled_tube_in_burrow(tmp_path):
         "Muscles/longitudinal/Fibres=longitudinal",
         "Muscles/longitudinal/Active stretch=expression",
         "Muscles/longitudinal/expression/Formula=1 - 0.3*t",
-        "Muscles/circular/expression/Formula=1",
+        "Tissues/circular layer/Muscles=",
+        "Cavities/Content=pressure",
+        f"Cavities/pressure/Pressure={pressure}*t",
         "Boundary conditions/Names=front, rear, burrow",
         "Boundary conditions/rear/displacement/Displacement="
         f"2*({length} - 1)*t; 0; 0",
         *condition("burrow", "contact", "skin", Obstacle="burrow",
                    Penetration=1e-7),
         "Boundary conditions/burrow/contact/burrow/Radius=2.35"])
-    pressure = table(tmp_path, "segments.csv")[-1]["fluid_pressure"]
-    assert pressure == pytest.approx(2.7236106042e-2, rel=1e-5)
     contact = table_of_contact(tmp_path)[-1]
     area = 0.5 * math.pi * 2.35 * 2 * length
-    assert contact["normal_force"] / area == pytest.approx(pressure, rel=1e-5)
+    assert contact["normal_force"] / area == pytest.approx(pressure, rel=1e-4)
+    ends = reactions(tmp_path)[1, "rear"][0]
+    assert abs(ends) < 1e-4 * pressure * math.pi * 2.35**2 / 4
 
 
 def dragged(mu, way, cells=2, load=1.):
@@ -184,7 +189,8 @@ def test_slope(tmp_path, part, rests):
 
 
 HELD_BY_MUCUS = [
-    "Geometry/block/Lengths=20, 0.5, 0.5", "Geometry/block/Cells=40, 1, 1",
+    # A quarter, so thin that it is stretched alike from its middle to its skin.
+    "Geometry/block/Lengths=20, 0.1, 0.1", "Geometry/block/Cells=80, 1, 1",
     "Geometry/block/Symmetry=y, z",
     # All around it, and never so near that it presses.
     *condition("ground", "contact", "z max", Obstacle="plane",
@@ -194,9 +200,10 @@ HELD_BY_MUCUS = [
 
 
 def line_strength(forward, backward, slip):
-    """Of a quarter of the bar, whose face is half as wide, in N per mm of it."""
-    return [f"Boundary conditions/ground/contact/Shear strength={forward / 2}, "
-            f"{backward / 2}, {forward / 2}",
+    """Per mm of the bar and mm^2 of its section, 0.01 in this quarter, whose face is
+    0.1 mm wide [N/mm^3]."""
+    return [f"Boundary conditions/ground/contact/Shear strength={0.1 * forward}, "
+            f"{0.1 * backward}, 0",
             f"Boundary conditions/ground/contact/Elastic slip={slip}"]
 
 
@@ -228,6 +235,9 @@ def test_breathing_crawler(tmp_path):
         "Tissues/block/Muscles=fibres", "Muscles/fibres/Fibres=longitudinal",
         "Muscles/fibres/Active stretch=expression",
         "Muscles/fibres/expression/Formula=1 - 0.2*abs(sin(pi*t))",
+        # Not 80, a quarter of which holds as much as the rest: then nothing says
+        # where it lies.
+        "Geometry/block/Cells=82, 1, 1", "Time/Result interval=1",
         "Time/End=2", "Time/First step=0.05", "Time/Largest step=0.05"])
     place = {row["t"]: row["stride"] for row in table(tmp_path, "body.csv")}
     assert place[2] - place[1] == pytest.approx(1.52879 - 8 / 3 * slip, rel=1e-2)
