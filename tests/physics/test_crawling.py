@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cases of the gallery on the ground, shorter, on coarser meshes and in fewer
+steps: which way the worm goes, and what it holds on with."""
+import csv
+
+import pytest
+from lumbricus_run import SOURCE, run_well
+
+CHAIN = "Geometry/segment chain/"
+GROUND = "Boundary conditions/ground/contact/"
+RAMP = 0.25
+
+
+def crawl(folder, settings, name="crawling", segments=6):
+    """The case with a worm as long as one wave, for half a period after the
+    ramp."""
+    return run_well(
+        SOURCE / "parameters" / name / "case.prm", folder,
+        [CHAIN + f"Number of segments={segments}",
+         CHAIN + "Cells across the liquid=1",
+         *(f"Muscles/{muscle}/wave/Wavelength={segments}"
+           for muscle in ("circular", "septal", "longitudinal")),
+         "Time/First step=0.0625", "Time/Largest step=0.0625",
+         f"Time/End={RAMP + 0.5}", "Output/Every=0", *settings])
+
+
+def contacts(result):
+    with open(result.folder / "contact.csv") as file:
+        return [{key: value if key == "name" else float(value)
+                 for key, value in row.items()} for row in csv.DictReader(file)]
+
+
+def stride(result):
+    """Towards the head, after the ramp."""
+    at = {row["t"]: row["stride"] for row in result.table("body.csv")}
+    return at[max(at)] - at[RAMP]
+
+
+def check_costs(result):
+    """Newton's method gets by without smaller steps."""
+    steps = result.steps()
+    assert sum(row["cuts"] for row in steps) == 0
+    assert sum(row["newton_iterations"] for row in steps) <= \
+        9 * sum(row["solves"] for row in steps)
+
+
+def test_crawling(tmp_path):
+    """It goes towards the head, and where it is anchored it is thick."""
+    result = crawl(tmp_path, [
+        GROUND + "Setae=1 + 5*max(0, sin(2*pi*(t + 0.5 - (s - 1)/6)))"])
+    check_costs(result)
+    assert stride(result) > 0.3
+    shape = {(row["t"], row["segment"]): row for row in result.segments()}
+    anchored, free = [], []
+    for row in contacts(result):
+        if row["t"] > RAMP:
+            (anchored if row["anchored"] else free).append(
+                shape[row["t"], row["segment"]])
+    assert len(anchored) >= 5
+    for column, sign in (("mid_radius", 1), ("length", -1)):
+        means = [sum(row[column] for row in rows) / len(rows)
+                 for rows in (anchored, free)]
+        assert sign * (means[0] - means[1]) > 0.1, column
+    # The ground carries the weight; it is that of half of the worm.
+    last = [row for row in result.segments() if row["t"] == RAMP + 0.5]
+    assert sum(row["normal_force"] for row in contacts(result)
+               if row["t"] == RAMP + 0.5) == pytest.approx(
+        0.5 * 1.05e-9 * 9810 * sum(row["fluid_volume"] + row["wall_volume"]
+                                   for row in last), rel=1e-6)
