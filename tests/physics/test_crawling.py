@@ -67,3 +67,25 @@ def test_crawling(tmp_path):
                if row["t"] == RAMP + 0.5) == pytest.approx(
         0.5 * 1.05e-9 * 9810 * sum(row["fluid_volume"] + row["wall_volume"]
                                    for row in last), rel=1e-6)
+
+
+def test_burrow(tmp_path):
+    """The short chambers press against the soil and the long ones do not touch
+    it; forces along the worm are in balance."""
+    result = run_well(
+        SOURCE / "parameters" / "burrow" / "case.prm", tmp_path,
+        ["Time/First step=0.3", "Time/Largest step=0.3", "Time/End=2.4",
+         "Output/Every=0"])
+    check_costs(result)
+    end = 2.4
+    lengths = {row["segment"]: row["length"] for row in result.segments()
+               if row["t"] == end}
+    rows = [row for row in contacts(result) if row["t"] == end]
+    long, short = (choose(lengths, key=lengths.get) for choose in (max, min))
+    assert (long, short) == (2, 5)
+    pressed = {row["segment"]: -2 * row["force_z"] for row in rows}
+    assert max(pressed, key=pressed.get) == short
+    assert pressed[short] == pytest.approx(0.0477, rel=0.05)
+    assert pressed[long] == 0
+    normal = sum(row["normal_force"] for row in rows)
+    assert abs(sum(row["force_x"] for row in rows)) < 1e-6 * normal
