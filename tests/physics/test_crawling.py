@@ -89,3 +89,19 @@ def test_burrow(tmp_path):
     assert pressed[long] == 0
     normal = sum(row["normal_force"] for row in rows)
     assert abs(sum(row["force_x"] for row in rows)) < 1e-6 * normal
+
+
+def test_inching(tmp_path):
+    """The same muscles take it forward or backward, by the friction alone."""
+    strides = []
+    for friction in ("0.3, 1.2, 0.6", "1.2, 0.3, 0.6"):
+        result = run_well(
+            SOURCE / "parameters" / "inching" / "case.prm",
+            tmp_path / friction[0:3],
+            [CHAIN + "Number of segments=2", CHAIN + "Cells across the liquid=1",
+             GROUND + f"Friction={friction}", "Time/End=1.25",
+             "Output/Every=0"])
+        check_costs(result)
+        strides.append(stride(result))
+    assert strides[0] > 0.1
+    assert strides[1] == pytest.approx(-strides[0], rel=1e-5)
