@@ -2,6 +2,7 @@
 #include <lumbricus/discretization/loaded_points.h>
 #include <lumbricus/discretization/same_cell.h>
 
+#include <deal.II/base/quadrature.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/fe/fe_update_flags.h>

@@ -103,8 +103,8 @@ namespace lumbricus
                   << "', more than a third of its cells' thickness ("
                   << contacts[i]->cell_thickness()
                   << " mm). Move the obstacle in section '"
-                  << conditions.condition(i).type_section
-                  << "', or start apart and let it move.";
+                  << conditions.condition(i).type_section << "/"
+                  << contacts[i]->obstacle_name() << "', or start apart and let it move.";
           AssertThrow(false, ExcInput(message.str()));
         }
     std::ostringstream gap;

@@ -16,6 +16,9 @@ BLOCK = HERE / "block.prm"
 SPHERE = HERE.parent / "physics" / "sphere.prm"
 SHORT = ["Time/End=0.01", "Time/First step=0.01", "Adaptivity/Every=1",
          "Body forces/Names=weight", "Body forces/weight/Type=dead body force"]
+CONTACT = [*SHORT[:2], "Boundary conditions/Names=wall, push, ground",
+           "Boundary conditions/ground/Boundary=z min",
+           "Boundary conditions/ground/Type=contact"]
 CAVITY = [*SHORT[:2], "Cavities/Segments with their own content=1",
           "Geometry/hollow sphere/Cells around a quarter=2",
           "Geometry/hollow sphere/Cells through the wall=1"]
@@ -26,12 +29,15 @@ runs = ManyRuns()
 
 @pytest.fixture(scope="module")
 def resolved(tmp_path_factory):
-    """parameters.prm of two runs, in folders of their own: without a cavity and
-    with one."""
+    """parameters.prm of three runs by their names: of a block, of one on the
+    ground, and of a body with a cavity."""
     folder = tmp_path_factory.mktemp("resolved")
-    run_well(BLOCK, folder / "block", SHORT)
-    run_well(SPHERE, folder / "sphere", CAVITY)
-    return [folder / name / "parameters.prm" for name in ("block", "sphere")]
+    for name, case, settings in (("block", BLOCK, SHORT),
+                                 ("contact", BLOCK, CONTACT),
+                                 ("cavity", SPHERE, CAVITY)):
+        run_well(case, folder / name, settings)
+    return {name: folder / name / "parameters.prm"
+            for name in ("block", "contact", "cavity")}
 
 
 def choices():
@@ -64,12 +70,20 @@ def choices():
 CHOICES = choices()
 
 
+def body_of(parameter):
+    """Which of the runs uses it."""
+    return "cavity" if parameter.startswith("Cavities/") else \
+        "contact" if "/contact/" in parameter else "block"
+
+
 def in_block(parameter):
     """The parameter with the names that the block has."""
     return parameter.replace("<tissue>", "flesh").replace(
-        "<muscle>", "biceps").replace("<load or support>", "push").replace(
-            "<body force>", "weight").replace(
-                "Cavities/Segments 8-10", "Cavities/Segment 1")
+        "<muscle>", "biceps").replace(
+            "<load or support>",
+            "ground" if body_of(parameter) == "contact" else "push").replace(
+                "<body force>", "weight").replace(
+                    "Cavities/Segments 8-10", "Cavities/Segment 1")
 
 
 def test_all_choices_are_found():
@@ -98,7 +112,7 @@ def test_any_choice_changes_over_a_resolved_file(parameter, name, resolved,
     """The run goes on, or says what the new choice lacks; its parameters.prm is
     an input that gives the same run."""
     setting = f"{in_block(parameter)}={name}"
-    resolved = resolved[parameter.startswith("Cavities/")]
+    resolved = resolved[body_of(parameter)]
     result = runs.run(resolved, tmp_path / "out", [setting])
     if result.exit_code == 1:
         assert "not used" not in result.message, result.message
@@ -147,7 +161,7 @@ def test_a_restart_may_change_a_choice(tmp_path):
 def test_a_section_that_no_choice_takes_stays_a_mistake(resolved, tmp_path):
     """In a file by hand it is a typing error, whatever the settings say."""
     case = tmp_path / "case.prm"
-    case.write_text(f"include {resolved[0]}\n"
+    case.write_text(f"include {resolved['block']}\n"
                     "subsection Linear solver\n  subsection multigrid\n"
                     "  end\nend\n")
     for settings in ([], ["Time/End=2"], ["Linear solver/Method=kept factor"]):

@@ -592,7 +592,8 @@ end
      ["Interface/Coupling=slip", "Boundary conditions/Minimal support=false",
       "Geometry/segment chain/Cross-section=full"],
      ["can still move rigidly", "Set 'Boundary conditions/Minimal support' to "
-      "true", "'displacement' or 'spring' that holds it"]),
+      "true", "'displacement' or 'spring', or a 'contact' with friction, "
+      "that holds it"]),
 
     # The file.
     ("empty file", PRM, "# Nothing yet.\n",

@@ -43,7 +43,7 @@ end
       parameters.initialize();
       model = std::make_unique<ChainModel>(parameters, timer, comm);
       model->create(nullptr);
-      state = model->space.initial_state();
+      state = model->rest_state();
     }
 
     /** A vector that obeys the constraints, the same on any number of ranks. */

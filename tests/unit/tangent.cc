@@ -140,6 +140,35 @@ subsection Boundary conditions
 end
 )";
 
+  // The skin goes into the wall of a pipe by less than a twentieth of its
+  // thickness, and by more than it moves.
+  std::string
+  in_pipe(const std::string &friction)
+  {
+    return conditions("wall", R"(
+  subsection wall
+    set Boundary = skin
+    set Type     = contact
+    subsection contact
+      set Obstacle = burrow
+      subsection burrow
+        set Radius = 2.29
+      end
+)" + friction + R"(
+    end
+  end
+)");
+  }
+
+  const std::string smooth_pipe = in_pipe("");
+
+  // All of it sticks: the elastic slip is larger than what it moves.
+  const std::string rough_pipe = in_pipe(R"(
+      set Friction       = 0.6, 2.4, 1.2
+      set Shear strength = 0.01, 0.04, 0.02
+      set Elastic slip   = 0.1
+)");
+
   const std::string reference_slip = R"(
 subsection Interface
   set Coupling = reference slip
@@ -219,6 +248,8 @@ end
                                              pressure_around.c_str(),
                                              pressure_between.c_str(),
                                              whirl.c_str(),
+                                             smooth_pipe.c_str(),
+                                             rough_pipe.c_str(),
                                              slip.c_str(),
                                              reference_slip.c_str()));
 
@@ -257,7 +288,8 @@ end
     tangent().vmult(Kb, b);
     const double scale = Ka.l2_norm() * b.l2_norm();
     EXPECT_EQ(tangent().symmetric,
-              GetParam() != pressure && GetParam() != whirl);
+              GetParam() != pressure && GetParam() != whirl &&
+                GetParam() != rough_pipe);
     if (tangent().symmetric)
       EXPECT_NEAR(Ka * b, Kb * a, 1e-14 * scale);
     else
