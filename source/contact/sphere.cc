@@ -97,7 +97,7 @@ namespace lumbricus
     }
 
   private:
-    VectorExpression centre = {"Centre", "0; 0; 0"};
+    VectorExpression centre = {"Centre", "0; 0; -1"};
     Expression       radius = {"Radius", "1"};
   };
 

@@ -222,7 +222,7 @@ namespace
     {
       SurfaceResponse response;
       contact.surface(point, response);
-      return response.dT_du - contact.standing(point).friction.stabilisation;
+      return response.dT_du;
     }
   };
 
