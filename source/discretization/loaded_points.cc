@@ -20,6 +20,7 @@ namespace lumbricus
     point.N       = N;
     point.F       = dealii::unit_symmetric_tensor<dim, double>();
     point.segment = Region::of(material).segment;
+    point.history = history;
     return point;
   }
 
@@ -47,17 +48,23 @@ namespace lumbricus
           for (const unsigned int i :
                conditions.surface_terms_on(face->boundary_id()))
             {
-              auto &face_values =
-                conditions.condition(i).surface_term()->remembers() ? *at_nodes :
-                                                                      *inside;
+              const SurfaceTerm &term = *conditions.condition(i).surface_term();
+              auto &face_values = term.remembers() ? *at_nodes : *inside;
               face_values.reinit(mesh_cell(cell), face);
               for (const unsigned int q :
                    face_values.quadrature_point_indices())
-                points.push_back({i,
-                                  cell->material_id(),
-                                  face_values.quadrature_point(q),
-                                  face_values.normal_vector(q),
-                                  face_values.JxW(q)});
+                {
+                  points.push_back({i,
+                                    cell->material_id(),
+                                    face_values.quadrature_point(q),
+                                    face_values.normal_vector(q),
+                                    face_values.JxW(q),
+                                    {}});
+                  // As in the state at rest: what does not touch is apart.
+                  LoadedPoint &point = points.back();
+                  if (term.remembers())
+                    term.remember(point.at_rest(), point.history);
+                }
             }
     return points;
   }

@@ -22,6 +22,7 @@ namespace lumbricus
     dealii::Point<dim>         X;         ///< where [mm]
     dealii::Tensor<1, dim>     N;         ///< outward normal
     double                     JxW;       ///< area [mm^2]
+    dealii::Tensor<1, dim>     history;   ///< what it remembers at rest
 
     /** As a SurfaceTerm sees it, at rest and at time zero. */
     SurfacePoint
