@@ -241,3 +241,24 @@ def test_breathing_crawler(tmp_path):
         "Time/End=2", "Time/First step=0.05", "Time/Largest step=0.05"])
     place = {row["t"]: row["stride"] for row in table(tmp_path, "body.csv")}
     assert place[2] - place[1] == pytest.approx(1.52879 - 8 / 3 * slip, rel=1e-2)
+
+
+def test_ranks(tmp_path):
+    """A soft block, part of which slides and part of which sticks: the same on one,
+    two and four ranks."""
+    settings = [*dragged("0.3, 0.6, 1.2", "0.02*max(t - 0.2, 0); 0; 0", cells=4),
+                "Tissues/block/Neo-Hooke/a=2.3", "Output/Points=0, 0, 0; 4, 0, 1"]
+    found = []
+    for ranks in (1, 2, 4):
+        folder = tmp_path / str(ranks)
+        run_well(GROUND, folder, settings, ranks)
+        rows = table_of_contact(folder)
+        assert any(0 < row["sliding"] < 1 for row in rows)
+        points = table(folder, "points.csv")
+        found.append([[row[name] for row in rows
+                       for name in ("normal_force", "friction_x", "sliding")],
+                      [row[name] for row in points for name in ("ux", "uz")]])
+    for other in found[1:]:
+        for values, expected in zip(other, found[0]):
+            scale = max(abs(value) for value in expected)
+            assert values == pytest.approx(expected, rel=1e-9, abs=1e-9 * scale)
