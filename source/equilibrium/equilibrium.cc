@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/interruption.h>
+#include <lumbricus/discretization/regime_changes.h>
 #include <lumbricus/equilibrium/equilibrium.h>
 
 #include <algorithm>
@@ -78,6 +79,7 @@ namespace lumbricus
     // strain of 1e-6 in the stiffest tissue.
     least_force = 1e-6 * body.anatomy.wall_stiffness() * length * length;
 
+    linearised.clear();
     reinit_solvers();
   }
 
@@ -128,7 +130,8 @@ namespace lumbricus
   void
   Equilibrium::set_time(const LoadTime &t, const Vector &solution)
   {
-    time              = t;
+    time = t;
+    linearised.clear();
     prescribed_is_due = supports.set_increments(solution, t) > 1e-14 * length;
   }
 
@@ -209,6 +212,12 @@ namespace lumbricus
     throw_if_interrupted(body.space.communicator());
     dealii::TimerOutput::Scope scope(timer, "assembly");
     assembler.linearise(x.solution, time);
+    if (surface_terms.may_slide())
+      {
+        linearised.push_back(x.solution);
+        if (linearised.size() > 2)
+          linearised.pop_front();
+      }
     border = Border();
     if (sources.empty())
       return;
@@ -384,6 +393,12 @@ namespace lumbricus
     where << "the largest out-of-balance force, " << global.max
           << ", is in segment " << segment + 1 << ", the smallest det F, "
           << report.min_J << ", in segment " << report.min_J_segment + 1;
+    if (linearised.size() == 2)
+      where << regime_changes(body,
+                              surface_terms,
+                              linearised.front(),
+                              linearised.back(),
+                              time);
     return where.str();
   }
 } // namespace lumbricus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact_check.h"
 
-#include <lumbricus/contact/contact.h>
+#include <lumbricus/contact/contacts.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/user_text.h>
 #include <lumbricus/discretization/loaded_points.h>
@@ -58,17 +58,16 @@ namespace lumbricus
                  const Supports            &supports,
                  const std::vector<double> &times)
   {
-    std::vector<const Contact *> contacts;
-    std::vector<std::string>     names;
+    const std::vector<const Contact *> contacts = contacts_of(conditions);
+    std::vector<std::string>           names;
     for (unsigned int i = 0; i < conditions.n_conditions(); ++i)
       {
         const NamedCondition &condition = conditions.condition(i);
-        contacts.push_back(dynamic_cast<const Contact *>(condition.type.get()));
-        if (contacts.back() == nullptr)
+        if (contacts[i] == nullptr)
           continue;
         names.push_back(condition.name);
         const std::string message =
-          unfit(condition, *contacts.back(), body, times);
+          unfit(condition, *contacts[i], body, times);
         AssertThrow(message.empty(), ExcInput(message));
       }
     if (names.empty())

@@ -75,5 +75,16 @@ def test_one_message(i, results):
     check_one_message(results[i], CASES[i][0][3])
 
 
+def test_what_goes_to_and_fro_is_named(tmp_path):
+    """Where Newton's method fails with a skin that begins to slide."""
+    result = run(GROUND, tmp_path, [
+        CONTACT + "Friction=0.1, 0.1, 0.1", "Newton/Most iterations=2",
+        "Time/Smallest step=0.5", "Time/First step=1"])
+    assert result.exit_code == 2
+    words = result.said()
+    assert "of 36 points of 'ground' change between sticking, sliding" in words
+    assert "most of them in segment 1: raise its 'Elastic slip'" in words
+
+
 def test_the_base_has_no_mistake(tmp_path):
     assert run(GROUND, tmp_path).exit_code == 0

@@ -36,6 +36,13 @@ namespace lumbricus
     /** Both arguments are kept by reference. */
     SurfaceTerms(const Body &body, const BoundaryConditions &conditions);
 
+    /** All there are on the mesh. */
+    const BoundaryConditions &
+    boundary_conditions() const
+    {
+      return conditions;
+    }
+
     /** Remember what the skin does in @p state: before visit(), and after every
      * change of the mesh. */
     void

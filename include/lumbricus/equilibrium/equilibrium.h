@@ -10,6 +10,7 @@
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/timer.h>
 
+#include <deque>
 #include <vector>
 
 namespace lumbricus
@@ -145,6 +146,9 @@ namespace lumbricus
     Vector                     r;
     /** Where slip is counted from. */
     Vector start;
+    /** The last two solutions that were linearised at, where something may
+     * slide. */
+    std::deque<Vector> linearised;
 
     std::vector<BorderSource *> sources;
     /** That of linearise(), and the right-hand side with what it adds. */
