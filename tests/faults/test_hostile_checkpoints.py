@@ -157,12 +157,12 @@ LIES = {
     "a file that is no table": added(P, b"table 0 0 log.txt\n"),
     "a table nobody writes": added(P, b"table 0 0 mine.csv\n"),
     "a table twice": added(P, b"table 0 0 segments.csv\n"),
-    "a table cut to nothing": line(P, b"table ", b"table 0 0 mesh.csv\n"),
+    "a table cut to nothing": line(P, b"table ", b"table 0 0 body.csv\n"),
     "a table of 2^64 bytes": line(
-        P, b"table ", b"table 18446744073709551615 0 mesh.csv\n"),
+        P, b"table ", b"table 18446744073709551615 0 body.csv\n"),
     "a table of 2^64 + 1 bytes": line(
-        P, b"table ", b"table 18446744073709551617 0 mesh.csv\n"),
-    "a table of -1 bytes": line(P, b"table ", b"table -1 0 mesh.csv\n"),
+        P, b"table ", b"table 18446744073709551617 0 body.csv\n"),
+    "a table of -1 bytes": line(P, b"table ", b"table -1 0 body.csv\n"),
     "a picture outside": line(P, b"vtu ", b"vtu 0 ../victim/thesis.txt\n"),
     "a picture of nan": line(P, b"vtu ", b"vtu nan vtu/solution_00000.pvtu\n"),
     "no picture": line(P, b"vtu ", b""),
