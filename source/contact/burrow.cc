@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/contact/obstacle.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/parameters/registry.h>
 
@@ -9,7 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+
+#include "round_obstacle.h"
 
 namespace lumbricus
 {
@@ -23,16 +23,20 @@ namespace lumbricus
    * where a is the direction of the middle line at c, b = a x m, k its curvature
    * and e the direction away from the centre of its circle.
    */
-  class Burrow : public Obstacle
+  class Burrow : public RoundObstacle
   {
   public:
+    Burrow()
+      : RoundObstacle("Point",
+                      "0; 0; 0",
+                      "[mm] Three expressions in the time t, separated by "
+                      "semicolons: a point of the middle line.")
+    {}
+
     void
     declare_parameters(dealii::ParameterHandler &prm) override
     {
-      point.declare_parameter(prm,
-                              "[mm] Three expressions in the time t, separated "
-                              "by semicolons: a point of the middle line.");
-      radius.declare_parameter(prm, "[mm] An expression in the time t.");
+      RoundObstacle::declare_parameters(prm);
       const dealii::Patterns::List three(dealii::Patterns::Double(), dim, dim);
       prm.add_parameter("Axis",
                         axis,
@@ -54,40 +58,24 @@ namespace lumbricus
     void
     check_parameters() const override
     {
-      AssertThrow(vector(axis).norm() > 0.,
+      AssertThrow(axis.norm() > 0.,
                   ExcParameter("Axis",
                                "has no direction, because its length is zero. "
                                "Give a vector like '1, 0, 0'."));
       AssertThrow(curvature == 0. || inwards().norm() > 0.,
                   ExcParameter("Bends towards",
                                "is along 'Axis'. Give a vector across it."));
-      AssertThrow(curvature == 0. || radius.formula().find('t') ==
-                                       std::string::npos,
+      AssertThrow(curvature == 0. || !radius.depends_on_time(),
                   ExcParameter("Radius",
                                "changes in time, but a burrow with a 'Curvature' "
                                "has a constant one."));
     }
 
-    std::vector<Expression>
-    expressions() const override
-    {
-      std::vector<Expression> all = point.components();
-      all.push_back(radius);
-      return all;
-    }
-
-    std::string
-    unfit(const double t) const override
-    {
-      const double R = value(radius, t);
-      return R > 0. ? "" : "'Radius' is " + std::to_string(R);
-    }
-
     Distance
     distance(const dealii::Point<dim> &x, const LoadTime &t) const override
     {
-      const dealii::Point<dim> P = value(point, t);
-      dealii::Tensor<1, dim>   a = vector(axis) / vector(axis).norm();
+      const dealii::Point<dim> P = value(place, t);
+      dealii::Tensor<1, dim>   a = along();
       dealii::Tensor<1, dim>   to_axis, e;
       if (curvature == 0.)
         to_axis = (x - P) - ((x - P) * a) * a;
@@ -121,10 +109,10 @@ namespace lumbricus
     Frame
     frame(const LoadTime &t) const override
     {
-      const auto             a     = vector(axis) / vector(axis).norm();
-      const auto             along = dealii::outer_product(a, a);
+      const auto             a     = along();
+      const auto             aa = dealii::outer_product(a, a);
       dealii::Tensor<2, dim> one = dealii::unit_symmetric_tensor<dim, double>();
-      return {value(point, t), along + value(radius, t) * (one - along)};
+      return {value(place, t), aa + value(radius, t) * (one - aa)};
     }
 
     Surface
@@ -133,9 +121,9 @@ namespace lumbricus
             const double                    spacing) const override
     {
       constexpr int n_around = 48;
-      const auto    P        = value(point, t);
+      const auto    P        = value(place, t);
       const double  R        = value(radius, t);
-      const auto    a        = vector(axis) / vector(axis).norm();
+      const auto    a        = along();
       const auto    wall =
         [&](const auto &c, const auto &e, const auto &b, const int j) {
           const double phi = 2. * dealii::numbers::PI * j / n_around;
@@ -177,28 +165,24 @@ namespace lumbricus
     }
 
   private:
-    static dealii::Tensor<1, dim>
-    vector(const std::vector<double> &entries)
+    // Of the middle line at 'Point'.
+    dealii::Tensor<1, dim>
+    along() const
     {
-      dealii::Tensor<1, dim> result;
-      for (unsigned int d = 0; d < dim; ++d)
-        result[d] = entries[d];
-      return result;
+      return axis / axis.norm();
     }
 
     // Across the axis.
     dealii::Tensor<1, dim>
     inwards() const
     {
-      const auto a = vector(axis) / vector(axis).norm();
-      return vector(towards) - (vector(towards) * a) * a;
+      const auto a = along();
+      return towards - (towards * a) * a;
     }
 
-    VectorExpression    point     = {"Point", "0; 0; 0"};
-    Expression          radius    = {"Radius", "1"};
-    std::vector<double> axis      = {1., 0., 0.};
-    std::vector<double> towards   = {0., 0., 1.};
-    double              curvature = 0.;
+    dealii::Tensor<1, dim> axis    = dealii::Point<dim>(1., 0., 0.);
+    dealii::Tensor<1, dim> towards = dealii::Point<dim>(0., 0., 1.);
+    double                 curvature = 0.;
   };
 
   static const Register<Obstacle, Burrow>

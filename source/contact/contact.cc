@@ -139,7 +139,7 @@ namespace lumbricus
   Contact::surface(const SurfacePoint &point, SurfaceResponse &response) const
   {
     const Standing found = standing(point);
-    response.T           = found.p * found.n + found.friction.T;
+    response.T           = found.traction();
     response.dT_du       = found.dTn_du + found.friction.dT_dx;
     response.sticks        = found.friction.sticks;
     response.stabilisation = found.friction.stabilisation;

@@ -83,10 +83,7 @@ namespace lumbricus
                 ExcParameter("Elastic slip",
                              "is set, but nothing holds the skin. Set 'Friction' "
                              "or 'Shear strength' too."));
-    double square = 0.;
-    for (const double entry : forward_vector)
-      square += entry * entry;
-    AssertThrow(square > 0.,
+    AssertThrow(forward_vector.norm() > 0.,
                 ExcParameter("Forward",
                              "has no direction, because its length is zero. "
                              "Give a vector like '-1, 0, 0'."));
@@ -99,11 +96,7 @@ namespace lumbricus
                        const Geometry &geometry)
   {
     setae_factor.initialize(geometry);
-    const auto sections = geometry.sections();
-    delta               = given_slip > 0. ?
-                            given_slip :
-                            5e-4 * std::abs(sections.back().end -
-                                            sections.front().begin);
+    delta = given_slip > 0. ? given_slip : 5e-4 * geometry.length();
   }
 
 
@@ -139,12 +132,9 @@ namespace lumbricus
     Tensor<2, dim>       df;
     if (f.norm_square() > 0.)
       {
-        Tensor<1, dim> vector;
-        for (unsigned int c = 0; c < dim; ++c)
-          vector[c] = forward_vector[c];
-        const Tensor<2, dim> dq =
-          -(n * vector) * point.H - outer_product(n, point.H * vector);
-        df = (I - outer_product(f, f)) * dq / (P * vector).norm();
+        const Tensor<2, dim> dq = -(n * forward_vector) * point.H -
+                                  outer_product(n, point.H * forward_vector);
+        df = (I - outer_product(f, f)) * dq / (P * forward_vector).norm();
       }
     const Tensor<1, dim> ds_1 = transpose(df) * s + transpose(ds) * f;
     const Tensor<1, dim> s_2  = s - s_1 * f;
@@ -211,11 +201,9 @@ namespace lumbricus
   Tensor<1, dim>
   Friction::forward(const Tensor<1, dim> &n) const
   {
-    Tensor<1, dim> vector;
-    for (unsigned int c = 0; c < dim; ++c)
-      vector[c] = forward_vector[c];
-    const Tensor<1, dim> f = vector - (vector * n) * n;
-    return f.norm() > 1e-8 * vector.norm() ? f / f.norm() : Tensor<1, dim>();
+    const Tensor<1, dim> f = forward_vector - (forward_vector * n) * n;
+    return f.norm() > 1e-8 * forward_vector.norm() ? f / f.norm() :
+                                                     Tensor<1, dim>();
   }
 
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/contact/obstacle.h>
 #include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/numbers.h>
@@ -7,43 +6,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+
+#include "round_obstacle.h"
 
 namespace lumbricus
 {
   /** A ball, g = |x - x_0(t)| - R(t), with n = (x - x_0)/|x - x_0| and
    * H = (I - n x n)/|x - x_0|. */
-  class Sphere : public Obstacle
+  class Sphere : public RoundObstacle
   {
   public:
-    void
-    declare_parameters(dealii::ParameterHandler &prm) override
-    {
-      centre.declare_parameter(prm,
-                               "[mm] Three expressions in the time t, separated "
-                               "by semicolons.");
-      radius.declare_parameter(prm, "[mm] An expression in the time t.");
-    }
-
-    std::vector<Expression>
-    expressions() const override
-    {
-      std::vector<Expression> all = centre.components();
-      all.push_back(radius);
-      return all;
-    }
-
-    std::string
-    unfit(const double t) const override
-    {
-      const double R = value(radius, t);
-      return R > 0. ? "" : "'Radius' is " + std::to_string(R);
-    }
+    Sphere()
+      : RoundObstacle("Centre",
+                      "0; 0; -1",
+                      "[mm] Three expressions in the time t, separated by "
+                      "semicolons.")
+    {}
 
     Distance
     distance(const dealii::Point<dim> &x, const LoadTime &t) const override
     {
-      const auto   d = x - value(centre, t);
+      const auto   d = x - value(place, t);
       const double r = d.norm();
       Distance     found;
       found.gap = r - value(radius, t);
@@ -60,7 +43,7 @@ namespace lumbricus
     Frame
     frame(const LoadTime &t) const override
     {
-      return {value(centre, t),
+      return {value(place, t),
               value(radius, t) *
                 dealii::Tensor<2, dim>(
                   dealii::unit_symmetric_tensor<dim, double>())};
@@ -73,18 +56,18 @@ namespace lumbricus
     {
       // As on a globe, whose poles are along z: what is near the box, or all of
       // it if that is nowhere near.
-      const auto   C = value(centre, t);
+      const auto   C = value(place, t);
       const double R = value(radius, t);
       const int    n =
         std::clamp(dealii::numbers::PI * R / spacing, 12., 120.);
       const double step  = dealii::numbers::PI / n;
-      const auto   place = [&](const int i, const int j) {
+      const auto   on_globe = [&](const int i, const int j) {
         const dealii::Point<dim> m(std::sin(i * step) * std::cos(j * step),
                                    std::sin(i * step) * std::sin(j * step),
                                    std::cos(i * step));
         return C + R * m;
       };
-      const Surface            whole  = grid({0, n}, {0, 2 * n}, place);
+      const Surface            whole  = grid({0, n}, {0, 2 * n}, on_globe);
       dealii::BoundingBox<dim> around = box;
       around.extend(2. * spacing);
       Surface part{whole.points, {}};
@@ -95,10 +78,6 @@ namespace lumbricus
           part.quads.push_back(quad);
       return part.quads.empty() ? whole : part;
     }
-
-  private:
-    VectorExpression centre = {"Centre", "0; 0; -1"};
-    Expression       radius = {"Radius", "1"};
   };
 
   static const Register<Obstacle, Sphere>

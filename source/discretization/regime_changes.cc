@@ -23,33 +23,16 @@ namespace lumbricus
 
 
     std::vector<PointRegime>
-    regimes(const Body     &body,
-            SurfaceTerms   &terms,
-            const Vector   &solution,
-            const LoadTime &t)
+    regimes(SurfaceTerms &terms, const Vector &solution, const LoadTime &t)
     {
-      const BoundaryConditions &conditions = terms.boundary_conditions();
-      const MixedSpace         &space      = body.space;
-      const Vector             relevant = space.with_ghosts(solution);
       std::vector<PointRegime> all;
-      std::vector<dealii::types::global_dof_index> indices(
-        space.fe.n_dofs_per_cell());
-      for (const OwnedCell cell : body.owned_cells())
-        {
-          if (!cell.iterator->at_boundary())
-            continue;
-          cell.iterator->get_dof_indices(indices);
-          double u[dim][ShapeCache::padded_nodes] = {};
-          for (unsigned int c = 0; c < dim; ++c)
-            for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-              u[c][n] = relevant(indices[space.displacement_dof[c][n]]);
-          terms.visit_points(
-            cell, u, t, [&](const unsigned int i, const SurfacePoint &point) {
-              const SurfaceTerm &term = *conditions.condition(i).surface_term();
-              if (term.may_slide())
-                all.push_back({i, point.segment, term.regime(point)});
-            });
-        }
+      terms.visit_points(
+        solution, t, [&](const unsigned int i, const SurfacePoint &point) {
+          const SurfaceTerm &term =
+            *terms.boundary_conditions().condition(i).surface_term();
+          if (term.may_slide())
+            all.push_back({i, point.segment, term.regime(point)});
+        });
       return all;
     }
   } // namespace
@@ -64,8 +47,8 @@ namespace lumbricus
                  const LoadTime &t)
   {
     const BoundaryConditions &conditions  = terms.boundary_conditions();
-    const auto                old_regimes = regimes(body, terms, before, t);
-    const auto                regimes_now = regimes(body, terms, after, t);
+    const auto                old_regimes = regimes(terms, before, t);
+    const auto                regimes_now = regimes(terms, after, t);
     const unsigned int n_segments  = body.anatomy.geometry().n_segments();
     const unsigned int n_each      = n_segments + 1;
     // Of each condition: all points, and those that change, by segment.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/nodal_history.h>
+#include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/same_cell.h>
 #include <lumbricus/discretization/surface_terms.h>
 
@@ -140,37 +141,32 @@ namespace lumbricus
     const MixedSpace   &space    = body.space;
     const Vector        relevant = space.with_ghosts(solution);
     const Vector        change   = space.with_ghosts(dx);
+    ElementKernel       there, moving;
     std::vector<dealii::types::global_dof_index> indices(
       space.fe.n_dofs_per_cell());
     for_each_memory([&](const OwnedCell &cell, const auto & /*numbers*/) {
-      cell.iterator->get_dof_indices(indices);
-      double u[dim][ShapeCache::padded_nodes]  = {};
-      double du[dim][ShapeCache::padded_nodes] = {};
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-          {
-            const auto i = indices[space.displacement_dof[c][n]];
-            u[c][n]      = relevant(i);
-            du[c][n]     = change(i);
-          }
-      visit_points(
-        cell, u, t, [&](const unsigned int number, const SurfacePoint &at) {
-          const SurfaceTerm &term = *conditions.condition(number).surface_term();
-          if (!term.may_slide())
-            return;
-          dealii::Tensor<1, dim> moves;
-          for (unsigned int c = 0; c < dim; ++c)
-            for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-              moves[c] += du[c][n] * point().values[n];
-          all.push_back({&term, at, moves, point().JxW});
-        });
+      there.read(space, cell.iterator, relevant, indices);
+      moving.read(space, cell.iterator, change, indices);
+      for_each_point(cell,
+                     there.u,
+                     t,
+                     [&](const unsigned int /*number*/,
+                         const SurfaceTerm  &term,
+                         const SurfacePoint &at) {
+                       if (!term.may_slide())
+                         return;
+                       dealii::Tensor<1, dim> du;
+                       for (unsigned int c = 0; c < dim; ++c)
+                         for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+                           du[c] += moving.u[c][n] * point().values[n];
+                       all.push_back({&term, at, du, point().JxW});
+                     });
     });
 
     const auto pull_back = [&](const double part) {
       double sum = 0.;
-      for (const Moving &moving : all)
-        sum += moving.JxW *
-               moving.term->pull_back(moving.point, part * moving.du) / part;
+      for (const Moving &one : all)
+        sum += one.JxW * one.term->pull_back(one.point, part * one.du) / part;
       return dealii::Utilities::MPI::sum(sum, space.communicator());
     };
     constexpr unsigned int n_halvings = 20;
@@ -315,6 +311,25 @@ namespace lumbricus
                    [&](const unsigned int number,
                        const SurfaceTerm & /*term*/,
                        const SurfacePoint &at) { listener(number, at); });
+  }
+
+
+
+  void
+  SurfaceTerms::visit_points(const Vector        &solution,
+                             const LoadTime      &t,
+                             const PointListener &listener)
+  {
+    const Vector  relevant = body.space.with_ghosts(solution);
+    ElementKernel kernel;
+    std::vector<dealii::types::global_dof_index> indices(
+      body.space.fe.n_dofs_per_cell());
+    for (const OwnedCell cell : body.owned_cells())
+      if (cell.iterator->at_boundary())
+        {
+          kernel.read(body.space, cell.iterator, relevant, indices);
+          visit_points(cell, kernel.u, t, listener);
+        }
   }
 
 

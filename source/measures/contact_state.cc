@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/contact/contacts.h>
-#include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/measures/contact_state.h>
 
 #include <deal.II/base/mpi.h>
@@ -27,13 +26,11 @@ namespace lumbricus
               Skin                &skin)
     {
       const Contact::Standing standing = contact.standing(at);
-      SurfaceResponse         response;
-      contact.surface(at, response);
       ContactState &state = skin.state;
       skin.area += JxW;
       state.normal_force += JxW * standing.p;
-      state.force += JxW * response.T;
-      state.friction += JxW * (response.T - standing.p * standing.n);
+      state.force += JxW * standing.traction();
+      state.friction += JxW * standing.friction.T;
       if (standing.touches)
         {
           state.area += JxW;
@@ -119,27 +116,14 @@ namespace lumbricus
     const unsigned int n_segments = body.anatomy.geometry().n_segments();
     const auto         contacts   = contacts_of(conditions);
     std::vector<Skin>  skins(contacts.size() * n_segments);
-    const Vector       relevant = body.space.with_ghosts(solution);
-    ElementKernel      kernel;
-    std::vector<dealii::types::global_dof_index> indices(
-      body.space.fe.n_dofs_per_cell());
-    for (const OwnedCell cell : body.owned_cells())
-      {
-        if (!cell.iterator->at_boundary())
-          continue;
-        kernel.read(body.space, cell.iterator, relevant, indices);
-        terms.visit_points(
-          cell,
-          kernel.u,
-          t,
-          [&](const unsigned int condition, const SurfacePoint &at) {
-            if (contacts[condition] != nullptr)
-              add_point(*contacts[condition],
-                        at,
-                        terms.point().JxW,
-                        skins[condition * n_segments + cell.region.segment]);
-          });
-      }
+    terms.visit_points(
+      solution, t, [&](const unsigned int condition, const SurfacePoint &at) {
+        if (contacts[condition] != nullptr)
+          add_point(*contacts[condition],
+                    at,
+                    terms.point().JxW,
+                    skins[condition * n_segments + at.segment]);
+      });
     sum_over_ranks(skins, body.space.communicator());
     for (unsigned int i = 0; i < skins.size(); ++i)
       if (skins[i].area > 0.)

@@ -63,9 +63,7 @@ namespace lumbricus
     double
     spacing_for(const Geometry &geometry)
     {
-      const auto   sections = geometry.sections();
-      const double wanted =
-        std::abs(sections.back().end - sections.front().begin) / 20.;
+      const double wanted = geometry.length() / 20.;
       const double power = std::pow(10., std::floor(std::log10(wanted)));
       for (const double digit : {5., 2.})
         if (digit * power <= wanted)

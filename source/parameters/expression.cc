@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/input_limits.h>
+#include <lumbricus/core/number_in_text.h>
 #include <lumbricus/core/user_text.h>
 #include <lumbricus/parameters/expression.h>
 
@@ -152,6 +153,10 @@ namespace lumbricus
                                "\nIt may use " + known_symbols(constants) +
                                " and the functions of muParser (sin, exp, if, "
                                "min, ...)."));
+
+    double value;
+    if (read_number(formula, value))
+      number = value;
   }
 
 
@@ -171,6 +176,9 @@ namespace lumbricus
   double
   Expression::value(const dealii::Point<dim> &x, const double t) const
   {
+    // What is but a number needs no parser.
+    if (number)
+      return *number;
     parser->set_time(t);
     return parser->value(x);
   }
@@ -189,6 +197,14 @@ namespace lumbricus
   Expression::depends_on_place() const
   {
     return uses(text, "x") || uses(text, "y") || uses(text, "z");
+  }
+
+
+
+  bool
+  Expression::depends_on_time() const
+  {
+    return uses(text, "t");
   }
 
 

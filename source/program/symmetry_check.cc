@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace lumbricus
@@ -89,13 +88,7 @@ namespace lumbricus
       std::vector<Plane> planes;
       for (const SymmetryPlane &plane : geometry.symmetry_planes())
         {
-          double c = std::numeric_limits<double>::max();
-          for_each_boundary_face(
-            space, [&](const auto & /*cell*/, const auto &face) {
-              if (face->boundary_id() == plane.boundary)
-                c = std::min(c, face->vertex(0)[plane.direction]);
-            });
-          c = dealii::Utilities::MPI::min(c, space.communicator());
+          double c = plane.position(space.triangulation);
           // Rounding of the mesh.
           if (std::abs(c) < 1e-12 * geometry.characteristic_length())
             c = 0.;

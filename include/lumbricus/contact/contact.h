@@ -67,6 +67,13 @@ namespace lumbricus
       dealii::Point<dim>     anchor;          ///< x_a [mm]
       double                 anchor_gap = 0.; ///< g(x_a) [mm]
       dealii::Tensor<2, dim> dTn_du;          ///< d(p n)/du [N/mm^3]
+
+      /** T = p n + T_friction [N/mm^2]. */
+      dealii::Tensor<1, dim>
+      traction() const
+      {
+        return p * n + friction.T;
+      }
     };
 
     /** What @p point does, with what it remembers. */

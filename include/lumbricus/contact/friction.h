@@ -6,6 +6,7 @@
 #include <lumbricus/geometry/part_of_body.h>
 #include <lumbricus/geometry/segment_expression.h>
 
+#include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
 #include <vector>
@@ -115,7 +116,7 @@ namespace lumbricus
   private:
     std::vector<double> coefficients   = {0., 0., 0.};
     std::vector<double> strengths      = {0., 0., 0.};
-    std::vector<double> forward_vector = {-1., 0., 0.};
+    dealii::Tensor<1, dim> forward_vector = dealii::Point<dim>(-1., 0., 0.);
     SegmentExpression   setae_factor   = {"Setae", "1"};
     double              thickness      = 0.1;
     double              given_slip     = 0.;

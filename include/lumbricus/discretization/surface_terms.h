@@ -125,6 +125,12 @@ namespace lumbricus
                  const LoadTime      &t,
                  const PointListener &listener);
 
+    /** The same for all of this rank's cells, at @p solution. Collective. */
+    void
+    visit_points(const Vector        &solution,
+                 const LoadTime      &t,
+                 const PointListener &listener);
+
     /** Where the listener is called, with the nodes around. */
     const SurfaceKernel &
     point() const;

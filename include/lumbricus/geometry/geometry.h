@@ -10,6 +10,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -186,6 +187,14 @@ namespace lumbricus
     /** One entry per segment. */
     virtual std::vector<SegmentSections>
     sections() const = 0;
+
+    /** From the first section to the last at rest [mm]. */
+    double
+    length() const
+    {
+      const auto all = sections();
+      return std::abs(all.back().end - all.front().begin);
+    }
 
     /**
      * Three mesh vertices A, B, C for the statically determinate support:

@@ -11,6 +11,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace lumbricus
@@ -60,6 +61,10 @@ namespace lumbricus
     bool
     depends_on_place() const;
 
+    /** Whether t is in it. */
+    bool
+    depends_on_time() const;
+
     /** The name of the parameter in its section. */
     const std::string &
     parameter() const
@@ -85,6 +90,7 @@ namespace lumbricus
     std::string                                  entry;
     std::string                                  text;
     Constants                                    constants;
+    std::optional<double>                        number; ///< if it is but one
     std::shared_ptr<dealii::FunctionParser<dim>> parser;
   };
 
