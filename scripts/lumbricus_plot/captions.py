@@ -38,6 +38,11 @@ ANCHORS = (
     "what touches slides), slide (light) or do not touch (white), the head on "
     "the left, time downwards. Right: how far the centre of mass has come "
     "forward [mm].")
+ENERGY = (
+    "Work [N mm] since the start, on the part of the body that is computed: of "
+    "every muscle, load and support, what friction takes of it (dashed), and "
+    "what the tissues store. Dotted is the balance, what is left of all work "
+    "less what is stored: the error of the steps.")
 SEGMENTS = (
     "Length [mm] and radius in the middle [mm], pressure [N/mm²] and relative "
     "change of the volume [-] of the liquid (of the wall where there is none) "

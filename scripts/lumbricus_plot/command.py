@@ -9,6 +9,7 @@ from . import captions
 from .anchors import draw_anchors
 from .animation import animate
 from .convergence import draw_convergence
+from .energy import draw_energy
 from .kymograph import draw_kymograph
 from .panels import draw_picture, draw_thumbnail
 from .report import write_report
@@ -25,6 +26,8 @@ is over or still going on, gets
   kymograph.png    length, pressure and activation, segments against time
   anchors.png      which segments are anchored, and how far the body has come;
                    of a run with a contact
+  energy.png       the work of muscles, loads and friction, and what is
+                   stored; of a run with Output/Energy
   segments.png     length, radius, pressure and volume of every segment
   convergence.png  resets, divergence after each, residuals of Newton's method
   report.html      all of these but picture.png in one file, with numbers and
@@ -32,7 +35,7 @@ is over or still going on, gets
 
 Exit code 1 says that the folder is no run, or that something in it is missing.
 """
-NAMES = ["animation", "picture", "kymograph", "anchors", "segments",
+NAMES = ["animation", "picture", "kymograph", "anchors", "energy", "segments",
          "convergence", "report"]
 
 
@@ -103,6 +106,12 @@ def make_anchors(run, _, out):
     return name, "Anchored segments", captions.ANCHORS
 
 
+def make_energy(run, _, out):
+    name = out / "energy.png"
+    draw_energy(run, name)
+    return name, "Energy", captions.ENERGY
+
+
 def make_segments(run, _, out):
     name = out / "segments.png"
     draw_segments(run, name)
@@ -117,8 +126,8 @@ def make_convergence(run, _, out):
 
 # In the order of the report.
 OF_THE_REPORT = {"animation": make_animation, "kymograph": make_kymograph,
-                 "anchors": make_anchors, "segments": make_segments,
-                 "convergence": make_convergence}
+                 "anchors": make_anchors, "energy": make_energy,
+                 "segments": make_segments, "convergence": make_convergence}
 NEED_FIELDS = {"animation", "picture"}
 
 
@@ -133,6 +142,8 @@ def make_all(run, options, out):
                      "written.")
     if run.contact is None:
         wanted.discard("anchors")
+    if not run.has_work:
+        wanted.discard("energy")
     pictures = [make(run, options, out)
                 for name, make in OF_THE_REPORT.items() if name in wanted]
     names = [file.name for file, *_ in pictures]

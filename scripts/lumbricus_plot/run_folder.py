@@ -149,6 +149,12 @@ class RunFolder:
     def segment_numbers(self):
         return self.segments["segment"][:self.n_segments].astype(int)
 
+    @property
+    def has_work(self):
+        """Whether there is an energy.csv, with any step."""
+        file_name = self.path / "energy.csv"
+        return file_name.exists() and file_name.read_text().count("\n") > 1
+
     def read_contact(self):
         """contact.csv and body.csv; None where the run has no contact."""
         if not (self.path / "contact.csv").exists():

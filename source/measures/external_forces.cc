@@ -71,7 +71,7 @@ namespace lumbricus
         {
           for (unsigned int c = 0; c < dim; ++c)
             sums.insert(sums.end(), {entry.force[c], entry.moment[c]});
-          sums.push_back(entry.magnitude);
+          sums.insert(sums.end(), {entry.magnitude, entry.work});
         }
       dealii::Utilities::MPI::sum(sums, comm, sums);
       const double *sum = sums.data();
@@ -83,16 +83,41 @@ namespace lumbricus
               entry.moment[c] = *sum++;
             }
           entry.magnitude = *sum++;
+          entry.work      = *sum++;
         }
     }
   } // namespace
 
 
 
+  std::string
+  ExternalForce::kind_name() const
+  {
+    switch (kind)
+      {
+        case Kind::condition:
+          return "boundary condition";
+        case Kind::body_force:
+          return "body force";
+        case Kind::cavities:
+          return "cavities";
+        case Kind::symmetry:
+          return "symmetry plane";
+        case Kind::minimal_support:
+          return "minimal support";
+      }
+    Assert(false, dealii::ExcInternalError());
+    return "";
+  }
+
+
+
   void
   ExternalForce::add(const dealii::Point<dim>     &x,
-                     const dealii::Tensor<1, dim> &f)
+                     const dealii::Tensor<1, dim> &f,
+                     const dealii::Tensor<1, dim> &w)
   {
+    work += f * w;
     force += f;
     moment += dealii::cross_product_3d(x, f);
     magnitude += f.norm();
@@ -106,6 +131,7 @@ namespace lumbricus
     force += other.force;
     moment += other.moment;
     magnitude += other.magnitude;
+    work += other.work;
     return *this;
   }
 
@@ -122,7 +148,8 @@ namespace lumbricus
                   const Supports           &supports,
                   const Vector             &solution,
                   const Globals            &globals,
-                  const double              t)
+                  const double              t,
+                  const Vector             *way)
   {
     const MixedSpace &space    = body.space;
     const ShapeCache &shapes   = body.shapes;
@@ -140,6 +167,8 @@ namespace lumbricus
     SurfaceKernel surface(space);
 
     const Vector      relevant = space.with_ghosts(solution);
+    const Vector      moves =
+      way != nullptr ? space.with_ghosts(*way) : Vector();
     const auto        links    = supports.links();
     std::vector<bool> held(space.locally_relevant.n_elements(), false);
     for (const Supports::Prescribed &entry : supports.prescribed_unknowns())
@@ -149,7 +178,7 @@ namespace lumbricus
     const unsigned int     n_dofs = space.fe.n_dofs_per_cell();
     dealii::Vector<double> of_cell(n_dofs);
     std::vector<dealii::types::global_dof_index> indices(n_dofs);
-    ElementKernel                                kernel;
+    ElementKernel                                kernel, moving;
     for (const OwnedCell cell : body.owned_cells())
       {
         cell.iterator->get_dof_indices(indices);
@@ -165,6 +194,16 @@ namespace lumbricus
           continue;
 
         kernel.read(space, cell.iterator, relevant, indices);
+        if (way != nullptr)
+          moving.read(space, cell.iterator, moves, indices);
+        const auto moves_by = [&](const double *N) {
+          dealii::Tensor<1, dim> w;
+          if (way != nullptr)
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+                w[c] += N[n] * moving.u[c][n];
+          return w;
+        };
         of_cell = 0.;
         if (supported)
           {
@@ -181,7 +220,7 @@ namespace lumbricus
                               const dealii::Point<dim>     &x,
                               const dealii::Tensor<1, dim> &f,
                               const double                 *N) {
-          entry.add(x, f);
+          entry.add(x, f, moves_by(N));
           for (unsigned int c = 0; c < dim; ++c)
             for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
               of_cell(space.displacement_dof[c][n]) -= N[n] * f[c];
@@ -213,15 +252,16 @@ namespace lumbricus
             for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
               {
                 dealii::Point<dim>     x = shapes.node(cell.index, n);
-                dealii::Tensor<1, dim> force;
+                dealii::Tensor<1, dim> force, w;
                 for (unsigned int c = 0; c < dim; ++c)
                   {
                     x[c] += kernel.u[c][n];
                     force[c] = globals.at(cavity_pressure)[k] *
                                of_face[CellUnknowns::displacement(c, n)];
                     of_cell(space.displacement_dof[c][n]) -= force[c];
+                    w[c] = moving.u[c][n];
                   }
-                all.back().add(x, force);
+                all.back().add(x, force, w);
               }
           }
         if (is_pressed)
@@ -261,16 +301,19 @@ namespace lumbricus
         if (!space.locally_owned.is_element(entry.index))
           continue;
         dealii::Point<dim>     x = entry.X;
-        dealii::Tensor<1, dim> r;
+        dealii::Tensor<1, dim> r, w;
         for (unsigned int c = 0; c < dim; ++c)
-          x[c] += relevant(entry.node[c]);
+          {
+            x[c] += relevant(entry.node[c]);
+            w[c] = way != nullptr ? moves(entry.node[c]) : 0.;
+          }
         r[entry.component] = nodal(entry.index);
         if (entry.by == Supports::By::condition)
-          all[entry.number].add(x, r);
+          all[entry.number].add(x, r, w);
         else if (entry.by == Supports::By::symmetry)
-          all[n_conditions + entry.number].add(x, r);
+          all[n_conditions + entry.number].add(x, r, w);
         else
-          all[n_conditions + n_planes + entry.number].add(x, r);
+          all[n_conditions + n_planes + entry.number].add(x, r, w);
       }
     sum_over_ranks(all, space.communicator());
     return all;

@@ -144,6 +144,17 @@ namespace lumbricus
 
 
 
+  bool
+  OutputParts::asks_for_work() const
+  {
+    const auto wanted = tables();
+    return std::any_of(wanted.begin(), wanted.end(), [](const auto &entry) {
+      return entry.second->asks_for_work();
+    });
+  }
+
+
+
   const std::vector<FieldArray> &
   OutputParts::field_arrays() const
   {

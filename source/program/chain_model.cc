@@ -199,19 +199,72 @@ namespace lumbricus
   ChainModel::forces_on_body(const State &state)
   {
     dealii::TimerOutput::Scope scope(timer, "reactions");
-    surface_terms.set_to(state);
-    liquid_weight.set_time(state.time);
+    return forces_on_body({state, references}, nullptr);
+  }
+
+
+
+  std::vector<ExternalForce>
+  ChainModel::forces_on_body(const StateWithMaps &at, const Vector *way)
+  {
+    surface_terms.set_to(at.state);
+    liquid_weight.set_time(at.state.time);
     return external_forces(body,
                            parameters.boundary_conditions,
                            surface_terms,
                            parameters.body_forces,
                            volume_terms,
                            liquid_weight,
-                           references,
+                           at.references,
                            supports,
-                           state.solution,
-                           state.globals,
-                           state.time);
+                           at.state.solution,
+                           at.state.globals,
+                           at.state.time,
+                           way);
+  }
+
+
+
+  StepWork
+  ChainModel::work_of_step(const State &a, const State &b)
+  {
+    dealii::TimerOutput::Scope scope(timer, "reactions");
+    const BoundaryConditions  &conditions = parameters.boundary_conditions;
+    ReferenceField             maps_of_a  = references;
+    maps_of_a.update(a);
+    Vector way = b.solution;
+    way -= a.solution;
+
+    StepWork work;
+    work.stored      = lumbricus::stored_energy(body, references, b);
+    work.stored_more = work.stored - lumbricus::stored_energy(body, maps_of_a, a);
+    work.muscles     = work_of_muscles(body, {a, maps_of_a}, {b, references});
+
+    work.loads          = forces_on_body({a, maps_of_a}, &way);
+    const auto friction = work_of_friction(body, conditions, surface_terms, a, a, b);
+    const auto at_b     = forces_on_body({b, references}, &way);
+    work.friction = work_of_friction(body, conditions, surface_terms, b, a, b);
+    for (unsigned int i = 0; i < at_b.size(); ++i)
+      {
+        // At the end of a step nothing knows how fast it was.
+        const auto *term = i < conditions.n_conditions() ?
+                             conditions.condition(i).surface_term() :
+                             nullptr;
+        const double part = term != nullptr && term->depends_on_rate() ? 1. : 0.5;
+        work.loads[i].work =
+          (1. - part) * work.loads[i].work + part * at_b[i].work;
+      }
+    for (unsigned int i = 0; i < friction.size(); ++i)
+      work.friction[i].work = 0.5 * (work.friction[i].work + friction[i].work);
+    return work;
+  }
+
+
+
+  double
+  ChainModel::stored_energy(const State &state) const
+  {
+    return lumbricus::stored_energy(body, references, state);
   }
 
 

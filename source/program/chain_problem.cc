@@ -203,8 +203,13 @@ namespace lumbricus
           record =
             continuation.advance(model, next, step.number + 1, watch, log);
         });
+        const bool asks_for_work = parameters.output_parts.asks_for_work();
+        if (asks_for_work)
+          record.work = model.work_of_step(state, next);
         if (parameters.adaptivity.due(record.number))
           adapt(next, record);
+        if (asks_for_work && !record.adaptations.empty())
+          record.work.remeshed = model.stored_energy(next) - record.work.stored;
         record.external_forces = model.forces_on_body(next);
         record.contacts        = model.contacts_of_body(next);
         record.motion          = model.motion_of_body(next);

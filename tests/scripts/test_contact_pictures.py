@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A contact in pictures: pressure and slip on the skin, the surfaces of obstacles
 beside the body, and which segments are anchored."""
+import csv
 import json
 import shutil
 import sys
@@ -13,6 +14,7 @@ from PIL import Image
 sys.path.insert(0, str(SOURCE / "scripts"))
 from lumbricus_plot.anchors import ANCHORED, FREE, SLIDES, anchored  # noqa: E402
 from lumbricus_plot.command import main  # noqa: E402
+from lumbricus_plot.energy import read_work  # noqa: E402
 from lumbricus_plot.fields import (  # noqa: E402
     read_grid, read_obstacles, read_series)
 
@@ -40,7 +42,7 @@ def settings(names):
              "Boundary conditions/top/displacement/Displacement="
              "-0.2*t; 0; -0.2*t",
              "Time/First step=0.25", "Time/Largest step=0.25",
-             "Output/Every=1"]
+             "Output/Every=1", "Output/Energy=true"]
     for name in names:
         boundary, shape, entries = OBSTACLES[name]
         section = f"Boundary conditions/{name}/"
@@ -100,8 +102,9 @@ def test_without_a_contact_there_is_nothing_of_it(tmp_path):
         last_grid(tmp_path).array_names)
     assert not list(tmp_path.glob("**/obstacles*"))
     assert json.loads((tmp_path / "run.json").read_text())["obstacles"] == []
-    assert main([str(tmp_path), "--only", "anchors"]) == 0
+    assert main([str(tmp_path), "--only", "anchors", "energy"]) == 0
     assert not (tmp_path / "anchors.png").exists()
+    assert not (tmp_path / "energy.png").exists()
 
 
 def distances(name, x, t):
@@ -188,8 +191,9 @@ def test_drawings(run, tmp_path):
     assert main([str(folder), "--count", "1", "--frames", "2"]) == 0
     report = (folder / "report.html").read_text()
     assert "Anchored segments" in report
-    with Image.open(folder / "anchors.png") as image:
-        assert min(image.size) > 300
+    for name in ("anchors.png", "energy.png"):
+        with Image.open(folder / name) as image:
+            assert min(image.size) > 300
     with Image.open(folder / "picture.png") as image:
         seen = np.asarray(image.convert("RGB")).astype(int)
     (folder / "obstacles.pvd").unlink()
@@ -200,6 +204,20 @@ def test_drawings(run, tmp_path):
     assert (abs(seen - alone).max(axis=2) > 10).mean() > 0.01
     # The body is seen through them.
     assert (abs(seen - alone).max(axis=2) < 100).mean() > 0.99
+
+
+def test_work_adds_up(run):
+    """What is drawn are sums over time; the last ones are those of the table."""
+    times, sums = read_work(run.folder / "energy.csv")
+    assert list(times) == [0.25, 0.5, 0.75, 1]
+    with open(run.folder / "energy.csv") as file:
+        rows = [row for row in csv.DictReader(file) if row["kind"] == "stored"]
+    assert sums["stored", "tissues"][-1] == pytest.approx(
+        sum(float(row["work"]) for row in rows))
+    assert set(sums) == {
+        *(("boundary condition", name) for name in ("top", *OBSTACLES)),
+        *(("friction", name) for name in OBSTACLES),
+        ("stored", "tissues"), ("balance", "balance")}
 
 
 def test_which_segments_are_anchored():

@@ -41,14 +41,23 @@ namespace lumbricus
     dealii::Tensor<1, dim> force;          ///< f on the body [N]
     dealii::Tensor<1, dim> moment;         ///< m on the body [N mm]
     double                 magnitude = 0.; ///< int |T| dA + sum_i |r_i| [N]
+    /** int T . w dA + int b . w dV + sum_i r_i . w_i, where a displacement w is
+     * given [N mm]. */
+    double work = 0.;
     /** The node that the minimal support holds, at rest [mm]. */
     dealii::Point<dim> X;
     /** The direction in which it does. */
     unsigned int direction = 0;
 
-    /** Add a force @p f at @p x. */
+    /** What tables call its kind. */
+    std::string
+    kind_name() const;
+
+    /** Add a force @p f at @p x, which moves by @p w. */
     void
-    add(const dealii::Point<dim> &x, const dealii::Tensor<1, dim> &f);
+    add(const dealii::Point<dim>     &x,
+        const dealii::Tensor<1, dim> &f,
+        const dealii::Tensor<1, dim> &w);
 
     /** Add all of another one, whatever that is. */
     ExternalForce &
@@ -59,8 +68,8 @@ namespace lumbricus
    * The forces of all loads and supports at @p solution and time @p t: those
    * with a name in the order of the names, the planes of symmetry, what the
    * minimal support holds, the body forces, and the cavities under the pressures
-   * in @p globals. @p references and @p terms have to be up to date.
-   * Collective.
+   * in @p globals. @p references and @p terms have to be up to date. Their work
+   * is that along the displacement @p way, if there is one. Collective.
    */
   std::vector<ExternalForce>
   external_forces(const Body               &body,
@@ -73,7 +82,8 @@ namespace lumbricus
                   const Supports           &supports,
                   const Vector             &solution,
                   const Globals            &globals,
-                  const double              t);
+                  const double              t,
+                  const Vector             *way = nullptr);
 } // namespace lumbricus
 
 #endif

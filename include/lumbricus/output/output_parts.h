@@ -52,6 +52,10 @@ namespace lumbricus
     std::map<std::string, Table *>
     tables() const;
 
+    /** Whether any of these tables needs StepRecord::work. */
+    bool
+    asks_for_work() const;
+
     /** The arrays of all fields, in the order of Field::place(). After
      * initialize(). */
     const std::vector<FieldArray> &

@@ -6,6 +6,7 @@
 #include <lumbricus/measures/body_motion.h>
 #include <lumbricus/measures/contact_state.h>
 #include <lumbricus/measures/external_forces.h>
+#include <lumbricus/measures/step_work.h>
 
 #include <cstddef>
 #include <limits>
@@ -65,6 +66,9 @@ namespace lumbricus
     std::vector<ExternalForce> external_forces;
     /** What obstacles do to each segment after it. */
     std::vector<ContactState> contacts;
+    /** Where energy has come from and gone to; only where a table asks for
+     * it. */
+    StepWork work;
     /** Where the body is after it. */
     BodyMotion motion;
     /** The adaptations of the mesh after it. */

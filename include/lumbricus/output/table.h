@@ -42,6 +42,14 @@ namespace lumbricus
       return true;
     }
 
+    /** Whether write() reads StepRecord::work, which is not computed
+     * otherwise. */
+    virtual bool
+    asks_for_work() const
+    {
+      return false;
+    }
+
     /** The names of its columns. */
     virtual std::vector<std::string>
     columns() const = 0;

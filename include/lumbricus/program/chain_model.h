@@ -9,6 +9,7 @@
 #include <lumbricus/measures/body_motion.h>
 #include <lumbricus/measures/contact_state.h>
 #include <lumbricus/measures/external_forces.h>
+#include <lumbricus/measures/step_work.h>
 #include <lumbricus/program/run_parameters.h>
 
 #include <deal.II/base/timer.h>
@@ -73,6 +74,17 @@ namespace lumbricus
     std::vector<ExternalForce>
     forces_on_body(const State &state);
 
+    /** Where energy comes from and goes between the ends @p a and @p b of two load
+     * steps, where solve() has found the last one; before end_step().
+     * Collective. */
+    StepWork
+    work_of_step(const State &a, const State &b);
+
+    /** See lumbricus::stored_energy(), at @p state, which solve() has found.
+     * Collective. */
+    double
+    stored_energy(const State &state) const;
+
     /** What obstacles do to each segment at @p state, before end_step().
      * Collective. */
     std::vector<ContactState>
@@ -120,6 +132,10 @@ namespace lumbricus
     Equilibrium    equilibrium;   ///< all that Newton's method sees
 
   private:
+    // The forces at a state, whose work is that along a displacement.
+    std::vector<ExternalForce>
+    forces_on_body(const StateWithMaps &at, const Vector *way);
+
     const ResetIteration::Model reset_model;
   };
 } // namespace lumbricus

@@ -140,6 +140,14 @@ namespace lumbricus
       return 0.;
     }
 
+    /** Whether the traction is zero where no load step is under way
+     * (SurfacePoint::dt), since it depends on a speed. */
+    virtual bool
+    depends_on_rate() const
+    {
+      return false;
+    }
+
     /** What a point of the surface does. */
     enum class Regime
     {

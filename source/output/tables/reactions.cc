@@ -49,22 +49,18 @@ namespace lumbricus
           sum += entry;
           if (entry.kind == ExternalForce::Kind::minimal_support)
             {
+              minimal_support.kind = entry.kind;
+              minimal_support.name = entry.name;
               minimal_support += entry;
               any = true;
             }
           else
-            write_row(entry.kind == ExternalForce::Kind::symmetry ?
-                        "symmetry plane" :
-                      entry.kind == ExternalForce::Kind::body_force ?
-                        "body force" :
-                      entry.kind == ExternalForce::Kind::cavities ?
-                        "cavities" :
-                        "boundary condition",
-                      entry.name,
-                      entry);
+            write_row(entry.kind_name(), entry.name, entry);
         }
       if (any)
-        write_row("minimal support", "minimal support", minimal_support);
+        write_row(minimal_support.kind_name(),
+                  minimal_support.name,
+                  minimal_support);
       write_row("sum", "sum", sum);
     }
   };
