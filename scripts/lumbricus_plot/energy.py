@@ -26,7 +26,8 @@ def read_work(file_name):
 
 
 def label(kind, name):
-    return no_formula(kind if kind in ("stored", "balance") else f"{kind} {name}")
+    alone = kind in ("stored", "balance", name)
+    return no_formula(kind if alone else f"{kind} {name}")
 
 
 def draw_energy(run, file_name):

@@ -3,8 +3,10 @@
 #include <lumbricus/discretization/assembler.h>
 #include <lumbricus/discretization/cell_sizes.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace lumbricus
 {
@@ -31,24 +33,40 @@ namespace lumbricus
 
 
     // From the matrix of a cell, what that hangs on the displacements:
-    // df(c, k, m) is the derivative of f_c by component k at node m.
-    template <typename Derivative>
+    // df(c, k, m) is the derivative of f_c by component k at node m. All but the
+    // nodes in rows have N_n = 0, and only those in columns have a derivative.
+    template <typename Rows, typename Columns, typename Derivative>
     void
     subtract_derivative(const double         w,
                         const double        *N,
+                        const Rows          &rows,
+                        const Columns       &columns,
                         const Derivative    &df,
                         std::vector<double> &matrix)
     {
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int k = 0; k < dim; ++k)
-          for (unsigned int m = 0; m < n_nodes; ++m)
+      for (const unsigned int m : columns)
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int k = 0; k < dim; ++k)
             {
-              const double value = df(c, k, m);
-              for (unsigned int n = 0; n < n_nodes; ++n)
+              const double value = w * df(c, k, m);
+              for (const unsigned int n : rows)
                 matrix[CellUnknowns::displacement(c, n) * n_per_cell +
-                       CellUnknowns::displacement(k, m)] -= w * N[n] * value;
+                       CellUnknowns::displacement(k, m)] -= N[n] * value;
             }
     }
+
+
+
+    // The numbers of all nodes of a cell.
+    std::array<unsigned int, n_nodes>
+    every_node()
+    {
+      std::array<unsigned int, n_nodes> all;
+      std::iota(all.begin(), all.end(), 0u);
+      return all;
+    }
+
+    const std::array<unsigned int, n_nodes> all_nodes = every_node();
   } // namespace
 
 
@@ -241,6 +259,7 @@ namespace lumbricus
   {
     // Where all terms together are symmetric, each cell takes its symmetric part.
     std::vector<double> matrix;
+    const bool          apart = linearisation.symmetric;
     terms.visit(cell,
                 kernel->u,
                 t,
@@ -251,20 +270,37 @@ namespace lumbricus
                   n_sticking += response.sticks;
                   if (!with_tangent || !response.depends_on_shape())
                     return;
-                  matrix.resize(n_per_cell * n_per_cell);
+                  if (apart)
+                    matrix.resize(n_per_cell * n_per_cell);
+                  std::vector<double> &to =
+                    apart ? matrix : linearisation.surface_matrix(cell.index);
                   const dealii::Tensor<2, dim> dT_du =
                     n_stuck > 0. ? response.dT_du :
                                    response.dT_du + response.stabilisation;
                   subtract_derivative(
                     point.JxW,
                     point.values,
+                    point.face_nodes,
+                    point.face_nodes,
                     [&](const unsigned int c,
                         const unsigned int k,
                         const unsigned int m) {
-                      return dT_du[c][k] * point.values[m] +
-                             response.dT_dF[c][k] * point.gradients[m];
+                      return dT_du[c][k] * point.values[m];
                     },
-                    matrix);
+                    to);
+                  // Gradients hang on all nodes.
+                  if (response.dT_dF.norm_square() > 0.)
+                    subtract_derivative(
+                      point.JxW,
+                      point.values,
+                      point.face_nodes,
+                      all_nodes,
+                      [&](const unsigned int c,
+                          const unsigned int k,
+                          const unsigned int m) {
+                        return response.dT_dF[c][k] * point.gradients[m];
+                      },
+                      to);
                 });
     if (matrix.empty())
       return;
@@ -272,9 +308,7 @@ namespace lumbricus
     for (unsigned int i = 0; i < n_per_cell; ++i)
       for (unsigned int j = 0; j < n_per_cell; ++j)
         all[i * n_per_cell + j] +=
-          linearisation.symmetric ?
-            0.5 * (matrix[i * n_per_cell + j] + matrix[j * n_per_cell + i]) :
-            matrix[i * n_per_cell + j];
+          0.5 * (matrix[i * n_per_cell + j] + matrix[j * n_per_cell + i]);
   }
 
 
@@ -298,6 +332,8 @@ namespace lumbricus
         subtract_derivative(
           point.JxW,
           point.values,
+          all_nodes,
+          all_nodes,
           [&](const unsigned int c, const unsigned int k, const unsigned int m) {
             return response.db_du[c][k] * point.values[m];
           },
@@ -328,17 +364,15 @@ namespace lumbricus
         // face.
         auto &matrix = linearisation.surface_matrix(cell.index);
         add_area_derivative(point, -sign * q, matrix);
-        for (const bool transposed : {false, true})
-          subtract_derivative(
-            0.5 * point.JxW,
-            point.values,
-            [&](const unsigned int c,
-                const unsigned int k,
-                const unsigned int m) {
-              return point.values[m] *
-                     (transposed ? a[k] * gravity[c] : a[c] * gravity[k]);
-            },
-            matrix);
+        subtract_derivative(
+          0.5 * point.JxW,
+          point.values,
+          point.face_nodes,
+          point.face_nodes,
+          [&](const unsigned int c, const unsigned int k, const unsigned int m) {
+            return point.values[m] * (a[k] * gravity[c] + a[c] * gravity[k]);
+          },
+          matrix);
       });
   }
 
