@@ -44,6 +44,22 @@ def check_costs(result):
         9 * sum(row["solves"] for row in steps)
 
 
+def check_energy(result):
+    """Muscles do the work that friction takes and the tissues store, as nearly as steps
+    of a sixteenth of a period can say, relative to the work of those that contract."""
+    with open(result.folder / "energy.csv") as file:
+        rows = [(row["kind"], float(row["work"])) for row in csv.DictReader(file)]
+    def total(kind):
+        return sum(work for of_kind, work in rows if of_kind == kind)
+    by_contraction = sum(work for kind, work in rows if kind == "muscle" and work > 0)
+    assert total("friction") > 0
+    assert total("muscle") > total("friction")
+    assert abs(total("balance")) < 0.02 * by_contraction
+    assert total("muscle") + total("boundary condition") + total("body force") + \
+        total("cavities") - total("stored") == pytest.approx(total("balance"),
+                                                             abs=1e-12)
+
+
 def test_crawling(tmp_path):
     """It goes towards the head, and where it is anchored it is thick."""
     result = crawl(tmp_path, [
@@ -61,6 +77,7 @@ def test_crawling(tmp_path):
         means = [sum(row[column] for row in rows) / len(rows)
                  for rows in (anchored, free)]
         assert sign * (means[0] - means[1]) > 0.1, column
+    check_energy(result)
     # The ground carries the weight; it is that of half of the worm.
     last = [row for row in result.segments() if row["t"] == RAMP + 0.5]
     assert sum(row["normal_force"] for row in contacts(result)
