@@ -135,6 +135,35 @@ def test_filled_tube_in_burrow(tmp_path):
     assert abs(ends) < 1e-4 * pressure * math.pi * 2.35**2 / 4
 
 
+@pytest.mark.parametrize("depth, expected, levels, ranks", [
+    (1e-3, 1.68654809e-4, 7, 1), (4e-3, 1.34923847e-3, 6, 2)])
+def test_hertz(tmp_path, depth, expected, levels, ranks):
+    """A ball of R 1 that is pressed into a block by d: 16/3 mu R^(1/2) d^(3/2), if
+    the block is as large as this one, a quarter, is against the radius
+    (R d)^(1/2) where they touch. Its corner there is cut into cells as small as
+    half of that, and the rest is found by estimates of the error."""
+    length = 6
+    # The cell in the corner, whose centre is as far from all three faces.
+    corner = (f"abs(x - y) + abs(x + z - {length}) < 1e-9 && "
+              f"abs(log2(4*x/{length}) - rint(log2(4*x/{length}))) < 1e-6")
+    run_well(GROUND, tmp_path, [
+        f"Geometry/block/Lengths={length}, {length}, {length}",
+        "Geometry/block/Symmetry=x, y", "Tissues/block/Neo-Hooke/a=1",
+        f"Mesh/Local refinements={levels}", f"Mesh/Refine where={corner}",
+        "Adaptivity/Every=1", "Adaptivity/Cycles=2",
+        f"Adaptivity/Finest level={levels + 3}",
+        "Boundary conditions/Names=ground, bottom",
+        *condition("bottom", "displacement", "z min", Components="z"),
+        *condition("ground", "contact", "z max", Obstacle="sphere",
+                   Stiffness=1e3, Penetration=1e-6),
+        "Boundary conditions/ground/contact/sphere/Centre="
+        f"0; 0; {length} + 1 - {depth}*t", *in_one_step()], ranks)
+    contact = table_of_contact(tmp_path)[-1]
+    assert contact["penetration"] < 0.01 * depth
+    assert 4 * contact["area"] == pytest.approx(math.pi * depth, rel=0.1)
+    assert 4 * contact["normal_force"] == pytest.approx(expected, rel=5e-3)
+
+
 def dragged(mu, way, cells=2, load=1.):
     """A flat block that N presses onto the ground, whose top is dragged."""
     return ["Geometry/block/Lengths=4, 4, 1", f"Geometry/block/Cells={cells}, {cells}, 1",
