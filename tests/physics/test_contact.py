@@ -272,6 +272,27 @@ def test_breathing_crawler(tmp_path):
     assert place[2] - place[1] == pytest.approx(1.52879 - 8 / 3 * slip, rel=1e-2)
 
 
+@pytest.mark.parametrize("forward, backward, expected, ranks", [
+    (1, 4, 0.40653519, 1), (4, 1, -0.37955571, 2)])
+def test_peristaltic_tube(tmp_path, forward, backward, expected, ranks):
+    """Half a period of a tube of one wave, so thin that it is a line: what a worm of
+    one dimension does on the same friction in the same steps (expected:
+    benchmarks/peristaltic_tube, where a whole period and thicker ones are). Which way
+    it goes is the friction's doing."""
+    # 1e-3 N per mm of a tube that is ten times as thick.
+    strength = 1e-4 / (2 * math.pi * 2.3)
+    waves = [f"Muscles/{muscle}/wave/{entry}" for entry in (
+        "Wavelength=5", "Ramp-in=0.25")
+        for muscle in ("circular", "septal", "longitudinal")]
+    run_well(HERE / "thin_tube.prm", tmp_path, [
+        "Geometry/segment chain/Number of segments=5", *waves,
+        "Boundary conditions/ground/contact/Shear strength="
+        f"{forward * strength}, {backward * strength}, 0",
+        "Time/End=0.75", "Time/Result interval=0.25", *in_one_step(16)], ranks)
+    place = {row["t"]: row["stride"] for row in table(tmp_path, "body.csv")}
+    assert place[0.75] - place[0.25] == pytest.approx(expected, rel=0.03)
+
+
 def test_ranks(tmp_path):
     """A soft block, part of which slides and part of which sticks: the same on one,
     two and four ranks."""
