@@ -45,21 +45,24 @@ def axial_force(stretch, long, circ):
     return force, slope
 
 
-def friction(slip, forward, backward):
-    """What holds a unit of length, and its derivative: as stiff both ways, up to the
-    limit; the head is at x = 0, so that forward is down."""
-    most = max(forward, backward)
-    limit = np.where(slip <= 0, forward, backward)
-    slides = np.abs(slip) * most > limit * SLIP
-    return (np.where(slides, -np.sign(slip) * limit, -most * slip / SLIP),
-            np.where(slides, 0, -most / SLIP))
+def friction(forward, backward, elastic_slip, two_stiffnesses=False):
+    """What holds a unit of length that has slipped, its derivative, and how far that
+    is elastic, which is equally stiff both ways, unless it slips equally far. The head
+    is at x = 0, so that forward is down."""
+    def of(slip):
+        limit = np.where(slip <= 0, forward, backward)
+        stiffness = (limit if two_stiffnesses else
+                     max(forward, backward)) / elastic_slip
+        slides = np.abs(slip) * stiffness > limit
+        return (np.where(slides, -np.sign(slip) * limit, -stiffness * slip),
+                np.where(slides, 0, -stiffness), limit / stiffness)
+    return of
 
 
-def worm_of_one_dimension(forward, backward, *, segments=SEGMENTS,
-                          wavelength=WAVELENGTH, step=STEP, ramp=1, start=1, end=2,
-                          cells=16):
-    """The stride from start to end, in steps like those of the program, with so
-    many linear elements in a segment."""
+def worm_of_one_dimension(hold, *, segments=SEGMENTS, wavelength=WAVELENGTH,
+                          step=STEP, ramp=1, start=1, end=2, cells=16):
+    """The stride from start to end on the friction hold, in steps like those of the
+    program, with so many linear elements in a segment."""
     n = segments * cells
     h = LENGTH / cells
     of_cell = np.arange(n) // cells + 1
@@ -72,7 +75,7 @@ def worm_of_one_dimension(forward, backward, *, segments=SEGMENTS,
 
         def residual(u):
             force, stiffness = axial_force(1 + np.diff(u) / h, long, circ)
-            held, slope = friction(u - anchor, forward, backward)
+            held, slope, _ = hold(u - anchor)
             r = held * width
             r[:-1] += force
             r[1:] -= force
@@ -84,7 +87,7 @@ def worm_of_one_dimension(forward, backward, *, segments=SEGMENTS,
                 break
             # A little against sliding, where all of it does.
             diagonal = np.where(slope < 0, -slope,
-                                1e-5 * max(forward, backward) / SLIP * width)
+                                -1e-5 * hold(np.zeros(1))[1] * width)
             diagonal[:-1] += stiffness
             diagonal[1:] += stiffness
             matrix = np.diag(diagonal) - np.diag(stiffness, 1) - \
@@ -100,8 +103,7 @@ def worm_of_one_dimension(forward, backward, *, segments=SEGMENTS,
             r, stiffness, slope = trial
         assert np.abs(r).max() < 1e-13, k * step
         slip = u - anchor
-        most = np.where(slip <= 0, forward, backward) * SLIP / \
-            max(forward, backward)
+        most = hold(slip)[2]
         anchor = np.where(np.abs(slip) > most, u - np.sign(slip) * most, anchor)
         strides[round(k * step, 9)] = -(u @ width) / width.sum()
     return strides[end] - strides[start]
@@ -133,10 +135,17 @@ def main():
           "difference |\n" + "|---" * 5 + "|")
     for backward, radius in ((BACKWARD, 0.2), (0.002, 0.2), (0.01, 0.2),
                              (BACKWARD, 1), (BACKWARD, 2)):
-        expected = worm_of_one_dimension(FORWARD, backward)
+        expected = worm_of_one_dimension(friction(FORWARD, backward, SLIP))
         found = tube(radius, FORWARD, backward, options.ranks)
         print(f"| {backward / FORWARD:g} | {radius:g} | {expected:.4f} | "
               f"{found:.4f} | {100 * (found / expected - 1):+.1f} % |", flush=True)
+
+    print("\n| elastic slip [mm] | one dimension: stride [mm] | slipping equally far "
+          "both ways |\n" + "|---" * 3 + "|")
+    for slip in (0.1, 0.03, SLIP):
+        strides = [worm_of_one_dimension(friction(FORWARD, BACKWARD, slip, two))
+                   for two in (False, True)]
+        print(f"| {slip:g} | " + " | ".join(f"{s:.4f}" for s in strides) + " |")
 
 
 if __name__ == "__main__":

@@ -75,7 +75,7 @@ end
           Traction traction;
           for (unsigned int c = 0; c < dim; ++c)
             {
-              place[c]    = std::lround(1e6 * of_rank[k + c]);
+              place[c]    = static_cast<long>(std::round(1e6 * of_rank[k + c]));
               traction[c] = of_rank[k + dim + c];
             }
           all[place] = traction;
