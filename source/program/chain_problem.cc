@@ -11,6 +11,7 @@
 
 #include "mesh_adaptation.h"
 #include "run_log.h"
+#include "stride_warning.h"
 
 namespace lumbricus
 {
@@ -147,6 +148,10 @@ namespace lumbricus
     results->write_last(state);
     if (parameters.checkpoint_schedule.any())
       save_or_say(save);
+    if (trouble.empty())
+      log << stride_warning(parameters.anatomy,
+                            parameters.boundary_conditions,
+                            step.motion);
     log_where_time_went();
     std::ostringstream last_state;
     last_state << "\nThe last good state, at time " << state.time << ", is in '"

@@ -76,7 +76,9 @@ namespace lumbricus
     const MPI_Comm      comm = body.space.communicator();
     std::vector<double> nearest(contacts.size(),
                                 std::numeric_limits<double>::max());
-    double              touches = 0.;
+    // Whether some direction of the skin is forward.
+    std::vector<unsigned int> goes_forward(contacts.size(), 0);
+    double                    touches = 0.;
     for (const LoadedPoint &point : loaded_points(body.space, conditions))
       if (const Contact *contact = contacts[point.condition])
         {
@@ -85,9 +87,23 @@ namespace lumbricus
             std::min(nearest[point.condition], standing.gap);
           if (standing.touches)
             touches = 1.;
+          if (contact->friction().forward(standing.n).norm_square() > 0.)
+            goes_forward[point.condition] = 1;
         }
     touches = dealii::Utilities::MPI::max(touches, comm);
     dealii::Utilities::MPI::min(nearest, comm, nearest);
+    dealii::Utilities::MPI::max(goes_forward, comm, goes_forward);
+
+    for (unsigned int i = 0; i < contacts.size(); ++i)
+      AssertThrow(contacts[i] == nullptr || goes_forward[i] > 0 ||
+                    contacts[i]->friction().isotropic(),
+                  ExcInput("Section '" + conditions.condition(i).type_section +
+                           "': 'Forward' is along the normal of '" +
+                           conditions.condition(i).name +
+                           "', so that nothing that slides on it goes forward "
+                           "or backward. Give a vector along its surface, or "
+                           "the same 'Friction' and 'Shear strength' in all "
+                           "directions."));
 
     for (unsigned int i = 0; i < contacts.size(); ++i)
       if (contacts[i] != nullptr &&

@@ -48,6 +48,10 @@ MISTAKES = [
      ["contact/burrow/Radius", "constant"]),
     ("no forward direction", GROUND, [CONTACT + "Forward=0, 0, 0"],
      ["contact/Forward", "no direction", "'-1, 0, 0'"]),
+    ("forward is into the ground", GROUND,
+     [CONTACT + "Friction=0.1, 0.2, 0.1", CONTACT + "Forward=0, 0, -2"],
+     ["contact': 'Forward' is along the normal of 'ground'",
+      "a vector along its surface", "in all directions"]),
     ("slip without friction", GROUND, [CONTACT + "Elastic slip=0.01"],
      ["contact/Elastic slip", "nothing holds the skin", "'Friction'"]),
     ("setae that push", GROUND,
@@ -57,7 +61,8 @@ MISTAKES = [
      [*HALF_BELOW, "Geometry/segment chain/Cross-section=quarter"],
      ["'ground' is not symmetric", "0, 0, 1", "Cross-section"]),
 ]
-CASES = on_ranks(MISTAKES, ["nothing touches", "inside of the ground"])
+CASES = on_ranks(MISTAKES, ["nothing touches", "inside of the ground",
+                            "forward is into the ground"])
 
 
 @pytest.fixture(scope="module")
@@ -84,6 +89,13 @@ def test_what_goes_to_and_fro_is_named(tmp_path):
     words = result.said()
     assert "of 36 points of 'ground' change between sticking, sliding" in words
     assert "most of them in segment 1: raise its 'Elastic slip'" in words
+
+
+def test_no_forward_where_friction_is_equal(tmp_path):
+    """Then it does not matter."""
+    result = run(GROUND, tmp_path, [CONTACT + "Friction=0.1, 0.1, 0.1",
+                                    CONTACT + "Forward=0, 0, -2"])
+    assert result.exit_code == 0
 
 
 def test_the_base_has_no_mistake(tmp_path):

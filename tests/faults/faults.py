@@ -72,10 +72,10 @@ def wait_for_step(folder, step, process=None, timeout=120):
         time.sleep(0.01)
 
 
-def differences(run, reference):
-    """The largest relative difference of two runs in all numbers of
-    segments.csv but eta, which is what is left of the shear."""
-    rows, others = run.segments(), reference.segments()
+def differences(run, reference, table="segments.csv"):
+    """The largest relative difference of two runs in all numbers of a table but
+    eta, which is what is left of the shear."""
+    rows, others = run.table(table), reference.table(table)
     assert len(rows) == len(others)
     scale = {name: max(abs(row[name]) for row in others) for name in others[0]}
     return max(abs(row[name] - other[name]) / scale[name]

@@ -135,6 +135,35 @@ def test_filled_tube_in_burrow(tmp_path):
     assert abs(ends) < 1e-4 * pressure * math.pi * 2.35**2 / 4
 
 
+@pytest.mark.parametrize("depth, expected, levels, ranks", [
+    (1e-3, 1.68654809e-4, 7, 1), (4e-3, 1.34923847e-3, 6, 2)])
+def test_hertz(tmp_path, depth, expected, levels, ranks):
+    """A ball of R 1 that is pressed into a block by d: 16/3 mu R^(1/2) d^(3/2), if
+    the block is as large as this one, a quarter, is against the radius
+    (R d)^(1/2) where they touch. Its corner there is cut into cells as small as
+    half of that, and the rest is found by estimates of the error."""
+    length = 6
+    # The cell in the corner, whose centre is as far from all three faces.
+    corner = (f"abs(x - y) + abs(x + z - {length}) < 1e-9 && "
+              f"abs(log2(4*x/{length}) - rint(log2(4*x/{length}))) < 1e-6")
+    run_well(GROUND, tmp_path, [
+        f"Geometry/block/Lengths={length}, {length}, {length}",
+        "Geometry/block/Symmetry=x, y", "Tissues/block/Neo-Hooke/a=1",
+        f"Mesh/Local refinements={levels}", f"Mesh/Refine where={corner}",
+        "Adaptivity/Every=1", "Adaptivity/Cycles=2",
+        f"Adaptivity/Finest level={levels + 3}",
+        "Boundary conditions/Names=ground, bottom",
+        *condition("bottom", "displacement", "z min", Components="z"),
+        *condition("ground", "contact", "z max", Obstacle="sphere",
+                   Stiffness=1e3, Penetration=1e-6),
+        "Boundary conditions/ground/contact/sphere/Centre="
+        f"0; 0; {length} + 1 - {depth}*t", *in_one_step()], ranks)
+    contact = table_of_contact(tmp_path)[-1]
+    assert contact["penetration"] < 0.01 * depth
+    assert 4 * contact["area"] == pytest.approx(math.pi * depth, rel=0.1)
+    assert 4 * contact["normal_force"] == pytest.approx(expected, rel=5e-3)
+
+
 def dragged(mu, way, cells=2, load=1.):
     """A flat block that N presses onto the ground, whose top is dragged."""
     return ["Geometry/block/Lengths=4, 4, 1", f"Geometry/block/Cells={cells}, {cells}, 1",
@@ -241,6 +270,27 @@ def test_breathing_crawler(tmp_path):
         "Time/End=2", "Time/First step=0.05", "Time/Largest step=0.05"])
     place = {row["t"]: row["stride"] for row in table(tmp_path, "body.csv")}
     assert place[2] - place[1] == pytest.approx(1.52879 - 8 / 3 * slip, rel=1e-2)
+
+
+@pytest.mark.parametrize("forward, backward, expected, ranks", [
+    (1, 4, 0.40653519, 1), (4, 1, -0.37955571, 2)])
+def test_peristaltic_tube(tmp_path, forward, backward, expected, ranks):
+    """Half a period of a tube of one wave, so thin that it is a line: what a worm of
+    one dimension does on the same friction in the same steps (expected:
+    benchmarks/peristaltic_tube, where a whole period and thicker ones are). Which way
+    it goes is the friction's doing."""
+    # 1e-3 N per mm of a tube that is ten times as thick.
+    strength = 1e-4 / (2 * math.pi * 2.3)
+    waves = [f"Muscles/{muscle}/wave/{entry}" for entry in (
+        "Wavelength=5", "Ramp-in=0.25")
+        for muscle in ("circular", "septal", "longitudinal")]
+    run_well(HERE / "thin_tube.prm", tmp_path, [
+        "Geometry/segment chain/Number of segments=5", *waves,
+        "Boundary conditions/ground/contact/Shear strength="
+        f"{forward * strength}, {backward * strength}, 0",
+        "Time/End=0.75", "Time/Result interval=0.25", *in_one_step(16)], ranks)
+    place = {row["t"]: row["stride"] for row in table(tmp_path, "body.csv")}
+    assert place[0.75] - place[0.25] == pytest.approx(expected, rel=0.03)
 
 
 def test_ranks(tmp_path):

@@ -60,12 +60,26 @@ def check_energy(result):
                                                              abs=1e-12)
 
 
+def check_warning(result):
+    """A run says so whose stride is short against the elastic slip, 0.02 mm in these
+    cases: whether it did."""
+    slips = abs(result.table("body.csv")[-1]["stride"]) / 0.02
+    warns = 1 < slips < 25
+    assert ("Warning: The stride" in result.log) == warns
+    if warns:
+        assert f"mm, is only {slips:.0f} elastic slips long; its error is some " \
+            f"{250 / slips:.0f} %" in result.log
+        assert "ground/contact/Elastic slip'" in result.log
+    return warns
+
+
 def test_crawling(tmp_path):
     """It goes towards the head, and where it is anchored it is thick."""
     result = crawl(tmp_path, [
         GROUND + "Setae=1 + 5*max(0, sin(2*pi*(t + 0.5 - (s - 1)/6)))"])
     check_costs(result)
     assert stride(result) > 0.3
+    assert not check_warning(result)
     shape = {(row["t"], row["segment"]): row for row in result.segments()}
     anchored, free = [], []
     for row in contacts(result):
@@ -119,6 +133,7 @@ def test_inching(tmp_path):
              GROUND + f"Friction={friction}", "Time/End=1.25",
              "Output/Every=0"])
         check_costs(result)
+        assert check_warning(result)
         strides.append(stride(result))
     assert strides[0] > 0.1
     assert strides[1] == pytest.approx(-strides[0], rel=1e-5)

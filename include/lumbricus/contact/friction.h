@@ -113,6 +113,13 @@ namespace lumbricus
     bool
     isotropic() const;
 
+    /** The slip delta, up to which the skin sticks [mm]. */
+    double
+    elastic_slip() const
+    {
+      return delta;
+    }
+
   private:
     std::vector<double> coefficients   = {0., 0., 0.};
     std::vector<double> strengths      = {0., 0., 0.};
