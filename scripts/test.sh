@@ -6,8 +6,8 @@ install_missing "${build_packages[@]}" "${python_packages[@]}" \
   "${test_packages[@]}"
 set_up_python
 options=(-DLUMBRICUS_WERROR=ON -DPython3_EXECUTABLE="$python")
-build Release "${options[@]}"
-build Debug "${options[@]}"
+build Release all "${options[@]}"
+build Debug debug_tests "${options[@]}"
 export CTEST_OUTPUT_ON_FAILURE=1
 # Where this is set the program does not start itself anew to set it; the tests
 # are many short runs.
