@@ -23,13 +23,13 @@ install_missing()
     apt-get install -y -q --no-install-recommends "${missing[@]}"
 }
 
-# Build type $1 in build-$1.
+# Build target $2 of type $1 in build-$1.
 build()
 {
   local folder="$repository/build-$1"
   cmake -S "$repository" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE="$1" \
-    -DLUMBRICUS_DEBUG_INFO=OFF "${@:2}"
-  cmake --build "$folder"
+    -DLUMBRICUS_DEBUG_INFO=OFF "${@:3}"
+  cmake --build "$folder" --target "$2"
 }
 
 # The Python of everything that draws or tests, with the packages of

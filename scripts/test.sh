@@ -6,11 +6,14 @@ install_missing "${build_packages[@]}" "${python_packages[@]}" \
   "${test_packages[@]}"
 set_up_python
 options=(-DLUMBRICUS_WERROR=ON -DPython3_EXECUTABLE="$python")
-build Release "${options[@]}"
-build Debug "${options[@]}"
+build Release all "${options[@]}"
+build Debug debug_tests "${options[@]}"
 export CTEST_OUTPUT_ON_FAILURE=1
 # Where this is set the program does not start itself anew to set it; the tests
 # are many short runs.
 export OPENBLAS_CORETYPE=
-(cd "$repository/build-Debug" && ctest -L debug -j "$cores")
-(cd "$repository/build-Release" && ctest -j "$cores")
+# One more than there are cores: a test also waits, for processes that start and
+# end and for the disk.
+jobs=$((cores + 1))
+(cd "$repository/build-Debug" && ctest -L debug -j "$jobs")
+(cd "$repository/build-Release" && ctest -j "$jobs")

@@ -9,11 +9,13 @@ function(add_pytest kind name)
     ENVIRONMENT "LUMBRICUS=$<TARGET_FILE:lumbricus>;LOADED=$<TARGET_FILE:loaded>;STARTER=$<TARGET_FILE:starter>;MPIRUN=${LUMBRICUS_MPIRUN};PYTHONPATH=${PROJECT_SOURCE_DIR}/tests;PYTHONDONTWRITEBYTECODE=1;${LUMBRICUS_TEST_ENVIRONMENT}")
 endfunction()
 
-# take_two_cores(<kind>/<name>...): tests that are to have no other one beside
-# them. Most have runs on one rank, one after another, and those on two ranks
-# share the cores with what runs beside them.
+# take_two_cores(<kind>/<name>...): tests that keep two cores busy. Most have runs
+# on one rank, one after another, and those on two ranks share the cores with what
+# runs beside them. They come first: ctest starts one where two places are free,
+# which they are after another one of these, and otherwise not before the others
+# have ended.
 function(take_two_cores)
-  set_tests_properties(${ARGN} PROPERTIES PROCESSORS 2)
+  set_tests_properties(${ARGN} PROPERTIES PROCESSORS 2 COST 200)
 endfunction()
 
 # start_early(<kind>/<name>...): tests that are so long that a core would wait

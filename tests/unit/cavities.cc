@@ -44,7 +44,7 @@ subsection Geometry
 end
 subsection Mesh
   set Local refinements = 1
-  set Refine where      = x - 2
+  set Refine where      = min(z - 0.7, 0.7 - abs(x - 2.8))
 end
 )" + more;
   }

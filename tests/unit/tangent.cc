@@ -34,7 +34,7 @@ subsection Geometry
 end
 subsection Mesh
   set Local refinements = 1
-  set Refine where      = x - 1
+  set Refine where      = min(y - z, 4 - x)
 end
 subsection Muscles
   subsection circular
