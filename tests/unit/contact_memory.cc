@@ -53,11 +53,12 @@ end
   tractions(const Specimen &body, const State &state)
   {
     std::vector<double> numbers;
-    body.model->surface_terms.visit_nodes(
+    body.model->surface_terms.visit_cell_nodes(
       state,
-      state.solution,
-      state.time,
-      [&](const unsigned int i, const SurfacePoint &point) {
+      [&](const OwnedCell & /*cell*/,
+          const unsigned int /*node*/,
+          const unsigned int  i,
+          const SurfacePoint &point) {
         const auto &contact = dynamic_cast<const Contact &>(
           *body.parameters.boundary_conditions.condition(i).type);
         const auto T = contact.standing(point).traction();

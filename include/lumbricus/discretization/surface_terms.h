@@ -82,18 +82,6 @@ namespace lumbricus
     bool
     augment(State &state, const LoadTime &t) const;
 
-    /** Call @p function(condition, point) at all nodes of this rank's cells where
-     * a condition, by its number, acts that remembers: what they do at
-     * @p solution and time @p t with what @p state remembers. A node comes once
-     * for each cell; N and F are not there. Collective. */
-    void
-    visit_nodes(
-      const State                                           &state,
-      const Vector                                          &solution,
-      const LoadTime                                        &t,
-      const std::function<void(const unsigned int, const SurfacePoint &)>
-        &function) const;
-
     /** Called with a cell, one of its nodes, the number of a condition and what
      * that may depend on. */
     using CellNodeListener = std::function<void(const OwnedCell &,
@@ -101,8 +89,9 @@ namespace lumbricus
                                                 const unsigned int,
                                                 const SurfacePoint &)>;
 
-    /** Call @p listener where visit_nodes() says, for the solution and time of
-     * @p state. Collective. */
+    /** Call @p listener at all nodes of this rank's cells where conditions act that
+     * remember, for the solution, time and histories of @p state. A node comes
+     * once for each cell; N and F are not there. Collective. */
     void
     visit_cell_nodes(const State            &state,
                      const CellNodeListener &listener) const;
@@ -147,12 +136,6 @@ namespace lumbricus
                    const double (&u)[dim][ShapeCache::padded_nodes],
                    const LoadTime &t,
                    const Function &function);
-
-    /** Call @p function(cell, numbers) for all owned cells where conditions
-     * remember, with the numbers of these. */
-    template <typename Function>
-    void
-    for_each_memory(const Function &function) const;
 
     /** Call @p function(cell, node, condition, point, history) at all nodes that
      * remember, where the last is what the state has, to read or to change. */
