@@ -249,18 +249,16 @@ namespace lumbricus
 
 
 
-  void
+  Tensor<1, dim>
   Contact::augment(const SurfacePoint &point, Tensor<1, dim> &history) const
   {
     const Standing found = standing(point);
-    if (!(found.p > 0.))
-      return;
-    const auto there = shape->distance(found.anchor, point.t);
-    const double depth = found.p / stiffness;
-    // Above the surface half of the pressure stays, so that Newton's method does
-    // not start without what holds the body.
-    const double gap = std::max(depth, found.gap + 0.5 * depth);
-    history = history_of(found.anchor + (gap - there.gap) * there.n, point);
+    const auto     there = shape->distance(found.anchor, point.t);
+    history = history_of(found.anchor +
+                           (found.p / stiffness - there.gap) * there.n,
+                         point);
+    // On the surface it has the pressure that it had.
+    return -found.gap * found.n;
   }
 
 

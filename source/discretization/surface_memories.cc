@@ -88,43 +88,46 @@ namespace lumbricus
 
 
   bool
-  SurfaceTerms::augment(State &state, const LoadTime &t) const
+  SurfaceTerms::augment(State &state, const LoadTime &t, Vector &way) const
   {
-    std::set<unsigned int> to_augment;
-    const State           &before = state;
-    for_each_node(before,
-                  state.solution,
-                  t,
-                  [&](const OwnedCell & /*cell*/,
-                      const unsigned int /*node*/,
-                      const unsigned int  number,
-                      const SurfacePoint &point,
-                      const dealii::Tensor<1, dim> & /*history*/) {
-                    if (!conditions.condition(number)
-                           .surface_term()
-                           ->is_augmented(point))
-                      to_augment.insert(number);
-                  });
-    if (histories().empty())
-      return false;
-    std::vector<unsigned int> is_due(conditions.n_conditions(), 0);
-    for (const unsigned int number : to_augment)
-      is_due[number] = 1;
-    dealii::Utilities::MPI::max(is_due, body.space.communicator(), is_due);
-    if (std::count(is_due.begin(), is_due.end(), 1u) == 0)
-      return false;
+    // A node has cells on several ranks, which all say the same.
+    const MixedSpace &space = body.space;
+    Vector sum(space.locally_owned, space.locally_relevant, space.communicator());
+    Vector n_cells = sum;
+    bool   any     = false;
+    std::vector<dealii::types::global_dof_index> indices(
+      space.fe.n_dofs_per_cell());
     for_each_node(state,
                   state.solution,
                   t,
-                  [&](const OwnedCell & /*cell*/,
-                      const unsigned int /*node*/,
+                  [&](const OwnedCell        &cell,
+                      const unsigned int      node,
                       const unsigned int      number,
                       const SurfacePoint     &point,
                       dealii::Tensor<1, dim> &history) {
-                    if (is_due[number] > 0)
-                      conditions.condition(number).surface_term()->augment(
-                        point, history);
+                    const SurfaceTerm &term =
+                      *conditions.condition(number).surface_term();
+                    if (term.is_augmented(point))
+                      return;
+                    any              = true;
+                    const auto moved = term.augment(point, history);
+                    cell.iterator->get_dof_indices(indices);
+                    for (unsigned int c = 0; c < dim; ++c)
+                      {
+                        const auto index =
+                          indices[space.displacement_dof[c][node]];
+                        sum(index) += moved[c];
+                        n_cells(index) += 1.;
+                      }
                   });
+    if (!dealii::Utilities::MPI::logical_or(any, space.communicator()))
+      return false;
+    sum.compress(dealii::VectorOperation::add);
+    n_cells.compress(dealii::VectorOperation::add);
+    way.reinit(state.solution);
+    for (unsigned int k = 0; k < way.locally_owned_size(); ++k)
+      if (n_cells.local_element(k) > 0.)
+        way.local_element(k) = sum.local_element(k) / n_cells.local_element(k);
     return true;
   }
 

@@ -146,6 +146,14 @@ namespace lumbricus
 
 
   void
+  Equilibrium::constrain(Vector &way) const
+  {
+    supports.constraints().distribute(way);
+  }
+
+
+
+  void
   Equilibrium::start_from(const Vector &solution)
   {
     if (!supports.follow_the_deformation())

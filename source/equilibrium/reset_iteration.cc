@@ -120,8 +120,9 @@ namespace lumbricus
                                               diverges.end(),
                                               [](const bool d) { return d; });
         const bool done = limit == 0 || (hydrostatic && n_resets >= least);
+        Vector     way;
         const bool is_augmented =
-          !model.surface.augment(state, model.equilibrium.load_time());
+          !model.surface.augment(state, model.equilibrium.load_time(), way);
         if (!is_augmented)
           model.surface.set_to(state);
         if (!done && n_resets >= least)
@@ -143,6 +144,11 @@ namespace lumbricus
                       "'Penetration'"));
 
         reset(state, is_reset, body);
+        if (!is_augmented)
+          {
+            model.equilibrium.constrain(way);
+            x.solution += way;
+          }
         model.references.update_liquid(state);
         for (unsigned int s = 0; s < n_segments; ++s)
           report.n_resets[s] += is_reset[s];

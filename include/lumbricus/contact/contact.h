@@ -20,9 +20,8 @@ namespace lumbricus
    *   p = eps <g(x_a) - g(x)>,   T = p n + T_friction(p, x - x_a),
    *   d(p n)/du = -eps n x n + p H   where p > 0.
    *
-   * g(x_a) is zero but where the pressure is augmented: then it is
-   * max(p/eps, g(x) + p/(2 eps)), and x comes to lie on the surface. T is per area
-   * at rest.
+   * g(x_a) is zero but where the pressure is augmented: then it is p/eps, and x
+   * comes to lie on the surface. T is per area at rest.
    *
    * After a load step x_a follows the skin: to its projection where it does not
    * touch, else so far that q = 1, see Friction. What is remembered of x_a is where it was
@@ -117,7 +116,7 @@ namespace lumbricus
     bool
     is_augmented(const SurfacePoint &point) const override;
 
-    void
+    dealii::Tensor<1, dim>
     augment(const SurfacePoint     &point,
             dealii::Tensor<1, dim> &history) const override;
 

@@ -77,10 +77,11 @@ namespace lumbricus
     end_step(State &state) const;
 
     /** Augment what the skin remembers where the solution in @p state at time
-     * @p t is not yet good enough, see SurfaceTerm::is_augmented(). @return
-     * whether it was not. Collective. */
+     * @p t is not yet good enough, see SurfaceTerm::is_augmented(), and set
+     * @p way to how far the nodes there will move then, about. @return whether
+     * there was any. Collective. */
     bool
-    augment(State &state, const LoadTime &t) const;
+    augment(State &state, const LoadTime &t, Vector &way) const;
 
     /** Called with a cell, one of its nodes, the number of a condition and what
      * that may depend on. */

@@ -76,6 +76,11 @@ namespace lumbricus
     void
     forget_factors();
 
+    /** Make @p way one that the constraints allow, when what is prescribed has
+     * been reached. Collective. */
+    void
+    constrain(Vector &way) const;
+
     /** Where liquid slips along the wall, count the slip from @p solution:
      * before each solve, and before linearise() without one. */
     void

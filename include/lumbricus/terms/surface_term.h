@@ -187,20 +187,23 @@ namespace lumbricus
     {}
 
     /** Whether the solution with a node at @p point is as good as it has to be.
-     * Where it is not, all nodes of the term are augmented, and the same load is
-     * solved for again. */
+     * Where it is not, the node is augmented, and the same load is solved for
+     * again. */
     virtual bool
     is_augmented(const SurfacePoint & /*point*/) const
     {
       return true;
     }
 
-    /** Change @p history so that the solution gets better: see
-     * is_augmented(). */
-    virtual void
+    /** Change @p history so that the solution gets better: see is_augmented().
+     * @return how far the node will move then, about, from where Newton's method
+     * begins [mm]. */
+    virtual dealii::Tensor<1, dim>
     augment(const SurfacePoint & /*point*/,
             dealii::Tensor<1, dim> & /*history*/) const
-    {}
+    {
+      return {};
+    }
   };
 } // namespace lumbricus
 
