@@ -552,7 +552,7 @@ end
      ["'Boundary conditions/push/Boundary' is ''", "Give one of 'x min'"]),
     ("no type", BLOCK, ["Boundary conditions/Names=wall, push, more"],
      ["'Boundary conditions/more/Type' is not set", "Set it to one of",
-      "'displacement', 'follower pressure'"]),
+      "'displacement', 'drag', 'follower pressure'"]),
     ("pressure that does not parse", BLOCK, [PRESSURE + "=0.1*sin("],
      [f"'{PRESSURE}'", "'0.1*sin('", "It may use t, x, y, z, pi"]),
     ("traction that does not parse", BLOCK,
