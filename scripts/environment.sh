@@ -23,13 +23,13 @@ install_missing()
     apt-get install -y -q --no-install-recommends "${missing[@]}"
 }
 
-# Build target $2 of type $1 in build-$1.
+# Build target $2, or all, of type $1 in build-$1, with the options that follow.
 build()
 {
   local folder="$repository/build-$1"
   cmake -S "$repository" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE="$1" \
     -DLUMBRICUS_DEBUG_INFO=OFF "${@:3}"
-  cmake --build "$folder" --target "$2"
+  cmake --build "$folder" --target "${2:-all}"
 }
 
 # The Python of everything that draws or tests, with the packages of
