@@ -90,6 +90,18 @@ namespace lumbricus
 
 
 
+  dealii::Tensor<1, dim>
+  ElementKernel::displacement(const double *N) const
+  {
+    dealii::Tensor<1, dim> value;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        value[c] += u[c][n] * N[n];
+    return value;
+  }
+
+
+
   double
   ElementKernel::pressure(const double      *pressure_modes,
                           const unsigned int q) const

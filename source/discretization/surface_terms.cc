@@ -156,10 +156,7 @@ namespace lumbricus
                          const SurfacePoint &at) {
                        if (!term.may_slide())
                          return;
-                       dealii::Tensor<1, dim> du;
-                       for (unsigned int c = 0; c < dim; ++c)
-                         for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-                           du[c] += moving.u[c][n] * point().values[n];
+                       const auto du = moving.displacement(point().values);
                        all.push_back({&term, at, du, point().JxW});
                      });
     };

@@ -196,14 +196,6 @@ namespace lumbricus
         kernel.read(space, cell.iterator, relevant, indices);
         if (way != nullptr)
           moving.read(space, cell.iterator, moves, indices);
-        const auto moves_by = [&](const double *N) {
-          dealii::Tensor<1, dim> w;
-          if (way != nullptr)
-            for (unsigned int c = 0; c < dim; ++c)
-              for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-                w[c] += N[n] * moving.u[c][n];
-          return w;
-        };
         of_cell = 0.;
         if (supported)
           {
@@ -220,7 +212,7 @@ namespace lumbricus
                               const dealii::Point<dim>     &x,
                               const dealii::Tensor<1, dim> &f,
                               const double                 *N) {
-          entry.add(x, f, moves_by(N));
+          entry.add(x, f, moving.displacement(N));
           for (unsigned int c = 0; c < dim; ++c)
             for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
               of_cell(space.displacement_dof[c][n]) -= N[n] * f[c];

@@ -206,11 +206,8 @@ namespace lumbricus
           [&](const unsigned int i, const SurfacePoint &at) {
             if (contacts[i] == nullptr)
               return;
-            const SurfaceKernel   &point = terms.point();
-            dealii::Tensor<1, dim> w;
-            for (unsigned int c = 0; c < dim; ++c)
-              for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-                w[c] += moving.u[c][n] * point.values[n];
+            const SurfaceKernel &point = terms.point();
+            auto                 w     = moving.displacement(point.values);
             // The obstacle goes there by itself.
             const auto  x0       = at.X + at.history;
             const auto &obstacle = contacts[i]->obstacle();

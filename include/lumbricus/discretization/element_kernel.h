@@ -70,6 +70,10 @@ namespace lumbricus
                  const unsigned int q,
                  const unsigned int c) const;
 
+    /** u where the nodes have the values @p N, [n], as those of a SurfaceKernel. */
+    dealii::Tensor<1, dim>
+    displacement(const double *N) const;
+
     /** The value of p at quadrature point @p q. */
     double
     pressure(const double *pressure_modes, const unsigned int q) const;
