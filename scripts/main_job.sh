@@ -5,7 +5,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 
 install_missing "${build_packages[@]}" "${python_packages[@]}"
 set_up_python
-build Release all
+build Release
 cd "$repository"
 mpirun -np "$cores" build-Release/lumbricus parameters/peristalsis/case.prm \
   --output results/peristalsis

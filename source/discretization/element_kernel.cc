@@ -77,19 +77,6 @@ namespace lumbricus
 
 
 
-  double
-  ElementKernel::displacement(const double      *node_values,
-                              const unsigned int q,
-                              const unsigned int c) const
-  {
-    double value = 0.;
-    for (unsigned int n = 0; n < n_nodes; ++n)
-      value += u[c][n] * node_values[n_nodes * q + n];
-    return value;
-  }
-
-
-
   dealii::Tensor<1, dim>
   ElementKernel::displacement(const double *N) const
   {

@@ -246,11 +246,9 @@ namespace lumbricus
           kernel.compute_deformation(shape);
           for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
             {
-              auto         x  = body.shapes.quadrature_point(cell.index, q);
+              const auto x = body.shapes.quadrature_point(cell.index, q) +
+                             kernel.displacement(body.shapes.node_values(q));
               const double dv = determinant(kernel.F[q]) * shape.JxW[q];
-              for (unsigned int c = 0; c < dim; ++c)
-                x[c] +=
-                  kernel.displacement(body.shapes.node_values(), q, c);
               add(cell.region.segment, dv * x, dv);
             }
         }

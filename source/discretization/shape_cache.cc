@@ -111,9 +111,9 @@ namespace lumbricus
 
 
   const double *
-  ShapeCache::node_values() const
+  ShapeCache::node_values(const unsigned int q) const
   {
-    return N.data();
+    return N.data() + MixedSpace::n_nodes * q;
   }
 
 

@@ -48,7 +48,7 @@ namespace lumbricus
             at.density = cell.tissue.density();
             Point point;
             point.JxW    = shape.JxW[q];
-            point.values = body.shapes.node_values() + MixedSpace::n_nodes * q;
+            point.values = body.shapes.node_values(q);
             for (unsigned int c = 0; c < dim; ++c)
               for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
                 at.u[c] += u[c][n] * point.values[n];

@@ -261,7 +261,7 @@ namespace lumbricus
         linear_solver.solve(dx.solution, dg, b, c, border, tolerance);
         dx.globals = border.write(dg);
       }
-    supports.constraints().distribute(dx.solution);
+    constrain(dx.solution);
   }
 
 

@@ -123,8 +123,6 @@ namespace lumbricus
         Vector     way;
         const bool is_augmented =
           !model.surface.augment(state, model.equilibrium.load_time(), way);
-        if (!is_augmented)
-          model.surface.set_to(state);
         if (!done && n_resets >= least)
           check_progress(report.solves, diverges);
         const std::vector<bool> is_reset =
@@ -146,6 +144,7 @@ namespace lumbricus
         reset(state, is_reset, body);
         if (!is_augmented)
           {
+            model.surface.set_to(state);
             model.equilibrium.constrain(way);
             x.solution += way;
           }

@@ -28,7 +28,7 @@ namespace lumbricus
     {
       double sum = 0.;
       for (unsigned int n = 0; n < n_nodes; ++n)
-        sum += shapes.node_values()[n_nodes * q + n] *
+        sum += shapes.node_values(q)[n] *
                of_cell[CellUnknowns::displacement(c, n)];
       return sum;
     }
@@ -79,7 +79,7 @@ namespace lumbricus
               value(shapes, v_cell, q, c) * shapes.cell(cell.index).JxW[q];
             for (unsigned int n = 0; n < n_nodes; ++n)
               result_cell[CellUnknowns::displacement(c, n)] +=
-                shapes.node_values()[n_nodes * q + n] * v_dV;
+                shapes.node_values(q)[n] * v_dV;
           }
       unknowns.add(cell.index, result_cell, result);
     });

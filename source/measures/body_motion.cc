@@ -79,9 +79,8 @@ namespace lumbricus
           for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
             {
               const auto X = body.shapes.quadrature_point(cell.index, q);
-              auto       x = X;
-              for (unsigned int c = 0; c < dim; ++c)
-                x[c] += kernel.displacement(body.shapes.node_values(), q, c);
+              const auto x =
+                X + kernel.displacement(body.shapes.node_values(q));
               mass.add(
                 cell.tissue.density(), shape.JxW[q], X, shape.JxW[q], x);
             }

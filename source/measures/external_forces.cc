@@ -212,7 +212,10 @@ namespace lumbricus
                               const dealii::Point<dim>     &x,
                               const dealii::Tensor<1, dim> &f,
                               const double                 *N) {
-          entry.add(x, f, moving.displacement(N));
+          entry.add(x,
+                    f,
+                    way != nullptr ? moving.displacement(N) :
+                                     dealii::Tensor<1, dim>());
           for (unsigned int c = 0; c < dim; ++c)
             for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
               of_cell(space.displacement_dof[c][n]) -= N[n] * f[c];

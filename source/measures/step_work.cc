@@ -58,15 +58,6 @@ namespace lumbricus
       muscle.action().add_stress(F, fibre, false, response);
       return response.P;
     }
-
-
-
-    void
-    sum_over_ranks(std::vector<Entry> &entries, const MPI_Comm comm)
-    {
-      for (Entry &entry : entries)
-        entry.work = dealii::Utilities::MPI::sum(entry.work, comm);
-    }
   } // namespace
 
 
@@ -113,15 +104,12 @@ namespace lumbricus
                   const StateWithMaps &a,
                   const StateWithMaps &b)
   {
-    const MixedSpace         &space   = body.space;
-    const Anatomy            &anatomy = body.anatomy;
-    std::vector<Entry>        all;
+    const MixedSpace   &space   = body.space;
+    const Anatomy      &anatomy = body.anatomy;
+    std::vector<double> works(anatomy.n_muscles(), 0.);
     std::map<const Muscle *, unsigned int> numbers;
-    for (unsigned int i = 0; i < anatomy.n_muscles(); ++i)
-      {
-        numbers[&anatomy.muscle(i)] = i;
-        all.push_back({anatomy.muscle(i).name()});
-      }
+    for (unsigned int i = 0; i < works.size(); ++i)
+      numbers[&anatomy.muscle(i)] = i;
 
     const Vector relevant_a = space.with_ghosts(a.state.solution);
     const Vector relevant_b = space.with_ghosts(b.state.solution);
@@ -162,11 +150,14 @@ namespace lumbricus
                   active_stress(*muscles[k], at_a.kernel.F[q], before) +
                     active_stress(*muscles[k], at_b.kernel.F[q], after),
                   way);
-                all[numbers.at(muscles[k])].work += 0.5 * JxW[q] * work;
+                works[numbers.at(muscles[k])] += 0.5 * JxW[q] * work;
               }
           }
       }
-    sum_over_ranks(all, space.communicator());
+    dealii::Utilities::MPI::sum(works, space.communicator(), works);
+    std::vector<Entry> all;
+    for (unsigned int i = 0; i < works.size(); ++i)
+      all.push_back({anatomy.muscle(i).name(), works[i]});
     return all;
   }
 
@@ -176,49 +167,54 @@ namespace lumbricus
   work_of_friction(const Body               &body,
                    const BoundaryConditions &conditions,
                    SurfaceTerms             &terms,
-                   const State              &state,
-                   const State              &from,
-                   const State              &to)
+                   const State              &a,
+                   const State              &b)
   {
     std::vector<Entry> all;
     if (!has_contact(conditions))
       return all;
-    const auto contacts = contacts_of(conditions);
-    std::vector<double> work(contacts.size(), 0.);
+    const auto          contacts = contacts_of(conditions);
+    std::vector<double> works(contacts.size(), 0.);
     const MixedSpace   &space = body.space;
-    Vector              way   = to.solution;
-    way -= from.solution;
-    const Vector  moves    = space.with_ghosts(way);
-    const Vector  relevant = space.with_ghosts(state.solution);
+    Vector              way   = b.solution;
+    way -= a.solution;
+    const Vector  moves = space.with_ghosts(way);
     ElementKernel kernel, moving;
     std::vector<dealii::types::global_dof_index> indices(
       space.fe.n_dofs_per_cell());
-    for (const OwnedCell cell : body.owned_cells())
+    for (const State *state : {&a, &b})
       {
-        if (!cell.iterator->at_boundary())
-          continue;
-        kernel.read(space, cell.iterator, relevant, indices);
-        moving.read(space, cell.iterator, moves, indices);
-        terms.visit_points(
-          cell,
-          kernel.u,
-          state.time,
-          [&](const unsigned int i, const SurfacePoint &at) {
-            if (contacts[i] == nullptr)
-              return;
-            const SurfaceKernel &point = terms.point();
-            auto                 w     = moving.displacement(point.values);
-            // The obstacle goes there by itself.
-            const auto  x0       = at.X + at.history;
-            const auto &obstacle = contacts[i]->obstacle();
-            w -= obstacle.carried(x0, to.time) - obstacle.carried(x0, from.time);
-            work[i] += point.JxW * contacts[i]->standing(at).friction.T * w;
-          });
+        terms.set_to(*state);
+        const Vector relevant = space.with_ghosts(state->solution);
+        for (const OwnedCell cell : body.owned_cells())
+          {
+            if (!cell.iterator->at_boundary())
+              continue;
+            kernel.read(space, cell.iterator, relevant, indices);
+            moving.read(space, cell.iterator, moves, indices);
+            terms.visit_points(
+              cell,
+              kernel.u,
+              state->time,
+              [&](const unsigned int i, const SurfacePoint &at) {
+                if (contacts[i] == nullptr)
+                  return;
+                const SurfaceKernel &point    = terms.point();
+                const auto           x0       = at.X + at.history;
+                const Obstacle      &obstacle = contacts[i]->obstacle();
+                // The obstacle goes there by itself.
+                const auto w = moving.displacement(point.values) -
+                               (obstacle.carried(x0, b.time) -
+                                obstacle.carried(x0, a.time));
+                works[i] -= 0.5 * point.JxW *
+                            (contacts[i]->standing(at).friction.T * w);
+              });
+          }
       }
+    dealii::Utilities::MPI::sum(works, space.communicator(), works);
     for (unsigned int i = 0; i < contacts.size(); ++i)
       if (contacts[i] != nullptr)
-        all.push_back({conditions.condition(i).name, work[i]});
-    sum_over_ranks(all, space.communicator());
+        all.push_back({conditions.condition(i).name, works[i]});
     return all;
   }
 } // namespace lumbricus

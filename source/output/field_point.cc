@@ -55,8 +55,7 @@ namespace lumbricus
             point.q  = q;
             point.X  = shapes.quadrature_point(cell.index, q);
             point.dV = shape.JxW[q];
-            for (unsigned int c = 0; c < dim; ++c)
-              point.u[c] = kernel.displacement(shapes.node_values(), q, c);
+            point.u  = kernel.displacement(shapes.node_values(q));
             point.F = kernel.F[q];
             point.J = determinant(point.F);
             point.pressure_unknown =

@@ -240,10 +240,9 @@ namespace lumbricus
     work.stored_more = work.stored - lumbricus::stored_energy(body, maps_of_a, a);
     work.muscles     = work_of_muscles(body, {a, maps_of_a}, {b, references});
 
-    work.loads          = forces_on_body({a, maps_of_a}, &way);
-    const auto friction = work_of_friction(body, conditions, surface_terms, a, a, b);
-    const auto at_b     = forces_on_body({b, references}, &way);
-    work.friction = work_of_friction(body, conditions, surface_terms, b, a, b);
+    work.friction    = work_of_friction(body, conditions, surface_terms, a, b);
+    work.loads       = forces_on_body({a, maps_of_a}, &way);
+    const auto at_b  = forces_on_body({b, references}, &way);
     for (unsigned int i = 0; i < at_b.size(); ++i)
       {
         // At the end of a step nothing knows how fast it was.
@@ -254,8 +253,6 @@ namespace lumbricus
         work.loads[i].work =
           (1. - part) * work.loads[i].work + part * at_b[i].work;
       }
-    for (unsigned int i = 0; i < friction.size(); ++i)
-      work.friction[i].work = 0.5 * (work.friction[i].work + friction[i].work);
     return work;
   }
 

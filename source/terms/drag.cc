@@ -53,7 +53,8 @@ namespace lumbricus
         return;
       const auto v     = (point.u - point.history) / point.dt;
       const auto F_inv = invert(point.F);
-      const auto n     = normal(point);
+      const dealii::Tensor<1, dim> m = transpose(F_inv) * point.N;
+      const auto                   n = m / m.norm();
       const auto D     = tensor(n);
       response.T       = -(D * v);
       response.dT_du   = -D / point.dt;
@@ -110,13 +111,6 @@ namespace lumbricus
     }
 
   private:
-    static dealii::Tensor<1, dim>
-    normal(const SurfacePoint &point)
-    {
-      const dealii::Tensor<1, dim> m = transpose(invert(point.F)) * point.N;
-      return m / m.norm();
-    }
-
     // D_t (I - n x n) + D_n n x n.
     dealii::Tensor<2, dim>
     tensor(const dealii::Tensor<1, dim> &n) const

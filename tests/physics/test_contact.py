@@ -8,7 +8,8 @@ import pathlib
 import numpy as np
 import pytest
 from lumbricus_run import run, run_well
-from test_contact_output import condition, conditions, reactions, table
+from test_contact_output import (
+    condition, conditions, contacts, reactions, table)
 
 HERE = pathlib.Path(__file__).parent
 GROUND = HERE / "ground.prm"
@@ -32,16 +33,8 @@ def test_penalty(tmp_path, stiffness, stress):
         "Boundary conditions/ground/contact/Penetration=1"])
     force = reactions(tmp_path)[1, "ground"]
     assert force[2] == pytest.approx(stress, abs=1e-10)
-    contact = table_of_contact(tmp_path)[-1]
+    contact = contacts(tmp_path)[-1]
     assert contact["penetration"] == pytest.approx(stress / stiffness, rel=1e-8)
-
-
-def table_of_contact(folder):
-    lines = (folder / "contact.csv").read_text().splitlines()
-    names = lines[0].split(",")
-    return [{name: value if name == "name" else float(value)
-             for name, value in zip(names, line.split(","))}
-            for line in lines[1:]]
 
 
 @RANKS
@@ -80,7 +73,7 @@ def test_tube_in_burrow(tmp_path, radius, pressure, expected):
     for cells in (2, 4, 8):
         folder = tmp_path / str(cells)
         run_well(TUBE, folder, in_burrow(radius, pressure, cells))
-        contact = table_of_contact(folder)[-1]
+        contact = contacts(folder)[-1]
         # Per area at rest, of the radius 1.5.
         found = contact["normal_force"] / (0.5 * math.pi * 1.5)
         errors.append(abs(found * 1.5 / radius - expected))
@@ -128,7 +121,7 @@ def test_filled_tube_in_burrow(tmp_path):
         *condition("burrow", "contact", "skin", Obstacle="burrow",
                    Penetration=1e-7),
         "Boundary conditions/burrow/contact/burrow/Radius=2.35"])
-    contact = table_of_contact(tmp_path)[-1]
+    contact = contacts(tmp_path)[-1]
     area = 0.5 * math.pi * 2.35 * 2 * length
     assert contact["normal_force"] / area == pytest.approx(pressure, rel=1e-4)
     ends = reactions(tmp_path)[1, "rear"][0]
@@ -158,7 +151,7 @@ def test_hertz(tmp_path, depth, expected, levels, ranks):
                    Stiffness=1e3, Penetration=1e-6),
         "Boundary conditions/ground/contact/sphere/Centre="
         f"0; 0; {length} + 1 - {depth}*t", *in_one_step()], ranks)
-    contact = table_of_contact(tmp_path)[-1]
+    contact = contacts(tmp_path)[-1]
     assert contact["penetration"] < 0.01 * depth
     assert 4 * contact["area"] == pytest.approx(math.pi * depth, rel=0.1)
     assert 4 * contact["normal_force"] == pytest.approx(expected, rel=5e-3)
@@ -302,7 +295,7 @@ def test_ranks(tmp_path):
     for ranks in (1, 2, 4):
         folder = tmp_path / str(ranks)
         run_well(GROUND, folder, settings, ranks)
-        rows = table_of_contact(folder)
+        rows = contacts(folder)
         assert any(0 < row["sliding"] < 1 for row in rows)
         points = table(folder, "points.csv")
         found.append([[row[name] for row in rows

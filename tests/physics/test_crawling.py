@@ -5,6 +5,7 @@ import csv
 
 import pytest
 from lumbricus_run import SOURCE, run_well
+from test_contact_output import contacts
 
 CHAIN = "Geometry/segment chain/"
 GROUND = "Boundary conditions/ground/contact/"
@@ -22,12 +23,6 @@ def crawl(folder, settings, name="crawling", segments=6):
            for muscle in ("circular", "septal", "longitudinal")),
          "Time/First step=0.0625", "Time/Largest step=0.0625",
          f"Time/End={RAMP + 0.5}", "Output/Every=0", *settings])
-
-
-def contacts(result):
-    with open(result.folder / "contact.csv") as file:
-        return [{key: value if key == "name" else float(value)
-                 for key, value in row.items()} for row in csv.DictReader(file)]
 
 
 def stride(result):
@@ -82,7 +77,7 @@ def test_crawling(tmp_path):
     assert not check_warning(result)
     shape = {(row["t"], row["segment"]): row for row in result.segments()}
     anchored, free = [], []
-    for row in contacts(result):
+    for row in contacts(result.folder):
         if row["t"] > RAMP:
             (anchored if row["anchored"] else free).append(
                 shape[row["t"], row["segment"]])
@@ -94,7 +89,7 @@ def test_crawling(tmp_path):
     check_energy(result)
     # The ground carries the weight; it is that of half of the worm.
     last = [row for row in result.segments() if row["t"] == RAMP + 0.5]
-    assert sum(row["normal_force"] for row in contacts(result)
+    assert sum(row["normal_force"] for row in contacts(result.folder)
                if row["t"] == RAMP + 0.5) == pytest.approx(
         0.5 * 1.05e-9 * 9810 * sum(row["fluid_volume"] + row["wall_volume"]
                                    for row in last), rel=1e-6)
@@ -111,7 +106,7 @@ def test_burrow(tmp_path):
     end = 2.4
     lengths = {row["segment"]: row["length"] for row in result.segments()
                if row["t"] == end}
-    rows = [row for row in contacts(result) if row["t"] == end]
+    rows = [row for row in contacts(result.folder) if row["t"] == end]
     long, short = (choose(lengths, key=lengths.get) for choose in (max, min))
     assert (long, short) == (2, 5)
     pressed = {row["segment"]: -2 * row["force_z"] for row in rows}

@@ -64,13 +64,7 @@ namespace lumbricus
     double
     compute_deformation(const ShapeCache::Cell &cell);
 
-    /** Component @p c of u at quadrature point @p q. */
-    double
-    displacement(const double      *node_values,
-                 const unsigned int q,
-                 const unsigned int c) const;
-
-    /** u where the nodes have the values @p N, [n], as those of a SurfaceKernel. */
+    /** u where the nodes have the values @p N, [n]. */
     dealii::Tensor<1, dim>
     displacement(const double *N) const;
 

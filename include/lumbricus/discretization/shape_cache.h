@@ -47,9 +47,10 @@ namespace lumbricus
     const double *
     pressure_modes() const;
 
-    /** Value of node n at q, the same on all cells: [27 q + n]. */
+    /** Values of the nodes at quadrature point @p q, the same on all cells:
+     * [n]. */
     const double *
-    node_values() const;
+    node_values(const unsigned int q) const;
 
     /** Where quadrature point @p q is, X [mm]. */
     const dealii::Point<dim> &

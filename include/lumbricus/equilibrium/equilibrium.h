@@ -76,8 +76,8 @@ namespace lumbricus
     void
     forget_factors();
 
-    /** Make @p way one that the constraints allow, when what is prescribed has
-     * been reached. Collective. */
+    /** Make @p way an increment that the constraints allow, with what is still
+     * missing of what is prescribed. Collective. */
     void
     constrain(Vector &way) const;
 

@@ -47,9 +47,9 @@ namespace lumbricus
     std::vector<Entry> muscles;
     /** W_load of every load and support, as ExternalForce::work. */
     std::vector<ExternalForce> loads;
-    /** What friction in every contact takes away, -1/2 (T_a + T_b) . w da with the
-     * friction's traction alone and the way w along the obstacle; part of what
-     * the load of that name does. */
+    /** What friction in every contact takes away, -1/2 int (T_a + T_b) . w dA with
+     * the friction's traction alone and the way w along the obstacle; part of
+     * what the load of that name does. */
     std::vector<Entry> friction;
 
     /** What has been done on the body more than it has stored: the error of the
@@ -78,18 +78,14 @@ namespace lumbricus
                   const StateWithMaps &a,
                   const StateWithMaps &b);
 
-  /**
-   * The power of friction, int T . w da with the friction's traction alone at
-   * @p solution and time @p t and the way w along the obstacle from @p from to
-   * @p to, for every contact. @p terms have to be set to the state. Collective.
-   */
+  /** StepWork::friction from @p a to @p b, to each of which @p terms are set in
+   * turn. Collective. */
   std::vector<StepWork::Entry>
   work_of_friction(const Body               &body,
                    const BoundaryConditions &conditions,
                    SurfaceTerms             &terms,
-                   const State              &state,
-                   const State              &from,
-                   const State              &to);
+                   const State              &a,
+                   const State              &b);
 } // namespace lumbricus
 
 #endif

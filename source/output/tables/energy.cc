@@ -57,7 +57,7 @@ namespace lumbricus
             load.kind != ExternalForce::Kind::minimal_support)
           write_row(load.kind_name(), load.name, load.work);
       for (const StepWork::Entry &contact : work.friction)
-        write_row("friction", contact.name, -contact.work);
+        write_row("friction", contact.name, contact.work);
       if (!context.step.adaptations.empty())
         write_row("adaptation", "mesh", work.remeshed);
       write_row("stored", "tissues", work.stored_more);
