@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/activation/activation.h>
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/geometry/segment_expression.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/parameters/registry.h>
 
@@ -20,8 +21,8 @@ namespace lumbricus
    *   lambda = 1 - A r(t) h(t/T -+ (s-1)/Lambda + phi)
    *
    * with the amplitude A < 1, the period T, the wavelength Lambda in segments
-   * (minus: towards the tail, plus: towards the head) and the phase phi. The
-   * pulse h has period 1 and lasts for the part d of it (the duty),
+   * (minus: towards the tail, plus: towards the head) and the phase phi. A and
+   * Lambda may be formulas in s and n. The pulse h has period 1 and lasts for the part d of it (the duty),
    *
    *   h(p) = (1 - cos(2 pi p/d))/2  for 0 <= p < d,   0 for d <= p < 1,
    *
@@ -36,6 +37,10 @@ namespace lumbricus
 
     void
     check_parameters() const override;
+
+    /** Throws ExcInput where a formula gives no amplitude or wavelength. */
+    void
+    initialize(const std::string &section, const Geometry &geometry) override;
 
     double
     value(const double              t,
@@ -59,8 +64,12 @@ namespace lumbricus
     double
     ramp(const double t) const;
 
-    double      amplitude  = 0.2;
-    double      wavelength = 4.;
+    SegmentExpression amplitude_formula  = {"Amplitude", "0.2"};
+    SegmentExpression wavelength_formula = {"Wavelength", "4"};
+
+    /** By segment, from zero. */
+    std::vector<double> amplitudes, wavelengths;
+
     double      period     = 1.;
     std::string towards    = "towards tail";
     double      duty       = 0.5;
@@ -75,17 +84,15 @@ namespace lumbricus
   {
     using dealii::Patterns::Double;
 
-    prm.add_parameter("Amplitude",
-                      amplitude,
-                      "[1] By how much the pulse shortens the fibres: the "
-                      "active stretch at its peak is 1 - Amplitude. Less than "
-                      "1; negative values lengthen the fibres.",
-                      Double());
-    prm.add_parameter("Wavelength",
-                      wavelength,
-                      "[segments] Number of segments from one pulse to the "
-                      "next; need not be whole.",
-                      PositiveNumber());
+    amplitude_formula.declare_parameter(
+      prm,
+      "[1] By how much the pulse shortens the fibres: the active stretch at its "
+      "peak is 1 - Amplitude. Less than 1; negative values lengthen the fibres. "
+      "A formula in the number s of the segment and the number n of segments.");
+    wavelength_formula.declare_parameter(
+      prm,
+      "[segments] Number of segments from one pulse to the next; need not be "
+      "whole. A formula in s and n, as 'n/2' for two waves on the body.");
     prm.add_parameter("Period",
                       period,
                       "[time] Time from one pulse of a segment to the next.",
@@ -117,16 +124,51 @@ namespace lumbricus
   void
   WaveActivation::check_parameters() const
   {
-    AssertThrow(amplitude < 1.,
-                ExcParameter("Amplitude",
-                             "is " + dealii::Utilities::to_string(amplitude) +
-                               ", but has to be less than 1: the active "
-                               "stretch 1 - Amplitude is greater than zero."));
+    for (const SegmentExpression *formula :
+         {&amplitude_formula, &wavelength_formula})
+      AssertThrow(!formula->depends_on_place_or_time(),
+                  ExcParameter(formula->parameter(),
+                               "is '" + formula->text() +
+                                 "', but is a number of each segment. Use s and "
+                                 "n, or the activation 'expression'."));
     AssertThrow(duty <= 1.,
                 ExcParameter("Duty",
                              "is " + dealii::Utilities::to_string(duty) +
                                ", but is a part of the period: give at most "
                                "1."));
+  }
+
+
+
+  void
+  WaveActivation::initialize(const std::string &section,
+                             const Geometry    &geometry)
+  {
+    const auto evaluate = [&](SegmentExpression &formula,
+                              const auto        &is_possible,
+                              const std::string &why) {
+      formula.initialize(geometry);
+      std::vector<double> values;
+      for (unsigned int s = 0; s < geometry.n_segments(); ++s)
+        {
+          values.push_back(formula.value(s, 0.));
+          AssertThrow(is_possible(values.back()),
+                      ExcInput(about_parameter(
+                        section + "/" + formula.parameter(),
+                        "is " + dealii::Utilities::to_string(values.back()) +
+                          " for segment " + std::to_string(s + 1) + ", but " +
+                          why)));
+        }
+      return values;
+    };
+    amplitudes = evaluate(amplitude_formula,
+                          [](const double a) { return a < 1. && a > -1e100; },
+                          "has to be less than 1: the active stretch 1 - "
+                          "Amplitude is greater than zero.");
+    wavelengths =
+      evaluate(wavelength_formula,
+               [](const double l) { return l >= 1e-100 && l <= 1e100; },
+               "has to be a number > 0.");
   }
 
 
@@ -156,7 +198,7 @@ namespace lumbricus
                         const unsigned int segment,
                         const dealii::Point<dim> & /*X*/) const
   {
-    return 1. - amplitude * ramp(t) * pulse(t / period + lead(segment));
+    return 1. - amplitudes[segment - 1] * ramp(t) * pulse(t / period + lead(segment));
   }
 
 
@@ -164,7 +206,7 @@ namespace lumbricus
   double
   WaveActivation::lead(const unsigned int segment) const
   {
-    const double lag = (segment - 1.) / wavelength;
+    const double lag = (segment - 1.) / wavelengths[segment - 1];
     return (towards == "towards tail" ? -lag : lag) + phase;
   }
 

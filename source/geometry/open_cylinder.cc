@@ -166,7 +166,7 @@ namespace lumbricus
   OpenCylinder::check_parameters() const
   {
     section.check_parameters();
-    section.check_thicknesses(path, layer_thicknesses);
+    section.check_thicknesses(path, layer_thicknesses.size());
     RoundSection::check_even(path,
                              "Cells along the cylinder",
                              n_along,

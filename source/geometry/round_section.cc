@@ -80,13 +80,13 @@ namespace lumbricus
 
 
   void
-  RoundSection::check_thicknesses(const std::string         &where,
-                                  const std::vector<double> &thicknesses) const
+  RoundSection::check_thicknesses(const std::string &where,
+                                  const unsigned int n_thicknesses) const
   {
-    AssertThrow(thicknesses.size() == layers.size(),
+    AssertThrow(n_thicknesses == layers.size(),
                 ExcInput(about_parameter(
                   where + "/Wall layer thicknesses",
-                  "has " + std::to_string(thicknesses.size()) +
+                  "has " + std::to_string(n_thicknesses) +
                     " entries, but '" + path + "/Wall layers' has " +
                     std::to_string(layers.size()) +
                     ". Give one thickness for every layer.")));

@@ -35,12 +35,12 @@ namespace lumbricus
     check_parameters() const override;
 
     /**
-     * Throw ExcInput if @p thicknesses, the parameter "Wall layer
-     * thicknesses" of section @p where, are not one for each layer.
+     * Throw ExcInput if @p n_thicknesses, how many the parameter "Wall layer
+     * thicknesses" of section @p where has, are not one for each layer.
      */
     void
-    check_thicknesses(const std::string         &where,
-                      const std::vector<double> &thicknesses) const;
+    check_thicknesses(const std::string &where,
+                      const unsigned int n_thicknesses) const;
 
     /** The number of cells of cross_section(). */
     double
@@ -73,6 +73,13 @@ namespace lumbricus
                const std::string &name,
                const unsigned int n,
                const std::string &reason);
+
+    /** The names of the layers of the wall, from inside to outside. */
+    const std::vector<std::string> &
+    layer_names() const
+    {
+      return layers;
+    }
 
     /** How many layers the wall has. */
     unsigned int

@@ -11,6 +11,7 @@
 #include "chain_layout.h"
 #include "coarse_cells.h"
 #include "extrusion.h"
+#include "measure_table.h"
 #include "round_section.h"
 #include "segment_measures.h"
 
@@ -33,9 +34,12 @@ namespace lumbricus
    *   |   |      .. x axis ..
    *
    * The wall goes on around the septa; the caps close its ends over the whole
-   * section. A septum consists of two halves, each a part of the segment it
+   * section. Where radii change along chambers these are cones; caps may be cones
+   * too. A septum consists of two halves, each a part of the segment it
    * closes. The sections a segment is measured between are the middles of its
-   * septa, and the inner faces of the caps.
+   * septa, and the inner faces of the caps. A septum of one cell is no two
+   * halves: it belongs to the segment before it, which is measured to its rear
+   * face.
    */
   class SegmentChain : public Geometry
   {
@@ -117,22 +121,32 @@ namespace lumbricus
       return parse_segment_ranges(path + "/" + ranges_name, range_list);
     }
 
-    /** The measures of every segment. */
-    std::vector<SegmentMeasures>
+    /** The measures of every segment, once all parameters are read. */
+    const std::vector<SegmentMeasures> &
     measures() const;
+
+    /** The same, found anew. Throws ExcParameter. */
+    std::vector<SegmentMeasures>
+    find_measures() const;
 
     ChainLayout
     layout() const;
 
     RoundSection    section;
-    SegmentMeasures common;
+    MeasureFormulas common;
+    std::string     table_file;
     std::string     range_list;
 
     /** By name of the section. The addresses of its values stay as they are. */
-    std::map<std::string, SegmentMeasures> own_measures;
+    std::map<std::string, MeasureFormulas> own_measures;
 
+    /** What measures() has found. */
+    mutable std::vector<SegmentMeasures> found;
+
+    std::string  taper         = "in septa";
     unsigned int n             = 3;
     double       cap_thickness = 0.3;
+    double       tip_factor    = 1.;
     unsigned int n_along       = 2;
     unsigned int n_half_septum = 1;
     unsigned int n_cap         = 1;
@@ -155,11 +169,36 @@ namespace lumbricus
                       "1 at the head (x = 0) towards the tail.",
                       dealii::Patterns::Integer(1, 10000));
     common.declare_parameters(prm);
+    prm.add_parameter(MeasureTable::entry,
+                      table_file,
+                      "[path] A text file with measures along the chain, which "
+                      "stand in place of the formulas: columns separated by "
+                      "commas, with names in the first line. The first is "
+                      "'place', (s - 1/2)/n from 0 at the head to 1 at the "
+                      "tail, or 's'; others are 'Radius', 'Segment length', "
+                      "'Septum thickness', and the name of any layer of the "
+                      "wall for its thickness. Linear between rows. Empty: no "
+                      "table.",
+                      dealii::Patterns::FileName());
+    prm.add_parameter("Taper",
+                      taper,
+                      "Where the radii change from one segment to the next. 'in "
+                      "septa': from one side of a septum to the other, so that "
+                      "chambers are cylinders. 'along chambers': from the mean "
+                      "of two neighbours at the septum between them to a "
+                      "segment's own in its middle.",
+                      dealii::Patterns::Selection("in septa|along chambers"));
     prm.add_parameter("Cap thickness",
                       cap_thickness,
                       "[mm] Thickness of the caps that close the chain at its "
                       "head and at its tail.",
                       PositiveNumber());
+    prm.add_parameter("Tip of the caps",
+                      tip_factor,
+                      "[1] All radii at the outer face of a cap, relative to "
+                      "those at its inner face: with less than 1 the body has "
+                      "no sharp rim that catches on an obstacle.",
+                      dealii::Patterns::Double(0.05, 1.));
     prm.add_parameter(
       ranges_name,
       range_list,
@@ -170,14 +209,15 @@ namespace lumbricus
     section.declare_parameters(prm);
     prm.add_parameter("Cells along a segment",
                       n_along,
-                      "[number, even] Cells along the liquid chamber of a "
-                      "segment.",
-                      dealii::Patterns::Integer(2));
+                      "[number] Cells along the liquid chamber of a segment; "
+                      "even where that is meshed.",
+                      dealii::Patterns::Integer(1));
     prm.add_parameter("Cells through half a septum",
                       n_half_septum,
                       "[number] Cells through each of the two halves of a "
-                      "septum.",
-                      dealii::Patterns::Integer(1));
+                      "septum. 0: one cell through all of it, which belongs to "
+                      "the segment in front of it.",
+                      dealii::Patterns::Integer(0));
     prm.add_parameter("Cells through a cap",
                       n_cap,
                       "[number] Cells through the thickness of a cap.",
@@ -215,35 +255,68 @@ namespace lumbricus
   SegmentChain::check_parameters() const
   {
     section.check_parameters();
-    RoundSection::check_even(path,
-                             "Cells along a segment",
-                             n_along,
-                             "faces of the mesh have to lie in the middle of "
-                             "the segment, where it is measured");
     check_n_coarse_cells(path,
                          section.n_cells(true) *
                            (double(n) * n_along + 2. * n_cap +
-                            2. * (n - 1) * n_half_septum));
-    section.check_thicknesses(path, common.layer_thicknesses);
+                            (n - 1.) * std::max(1., 2. * n_half_septum)));
     range_of_segments(path + "/" + ranges_name, ranges(), n);
+    section.check_thicknesses(path, common.n_layers());
+    within_section(path, [&]() { common.check_parameters(); });
     for (const SegmentRange &range : ranges())
-      section.check_thicknesses(
-        path + "/" + range.name(),
-        own_measures.at(range.name()).layer_thicknesses);
+      {
+        const MeasureFormulas &own = own_measures.at(range.name());
+        section.check_thicknesses(path + "/" + range.name(), own.n_layers());
+        within_section(path + "/" + range.name(),
+                       [&]() { own.check_parameters(); });
+      }
+    found = find_measures();
+    for (const SegmentMeasures &segment : found)
+      if (segment.liquid == "meshed")
+        RoundSection::check_even(path,
+                                 "Cells along a segment",
+                                 n_along,
+                                 "faces of the mesh have to lie in the middle "
+                                 "of a segment whose liquid is meshed, where "
+                                 "it is measured");
+  }
+
+
+
+  const std::vector<SegmentMeasures> &
+  SegmentChain::measures() const
+  {
+    if (found.size() != n)
+      found = find_measures();
+    return found;
   }
 
 
 
   std::vector<SegmentMeasures>
-  SegmentChain::measures() const
+  SegmentChain::find_measures() const
   {
     const auto all      = ranges();
     const auto range_of = range_of_segments(path + "/" + ranges_name, all, n);
+    MeasureTable table;
+    if (!table_file.empty())
+      within_section(path, [&]() {
+        table =
+          MeasureTable(table_file, common.names(section.layer_names()));
+      });
 
-    std::vector<SegmentMeasures> result(n, common);
+    std::vector<SegmentMeasures> result(n);
     for (unsigned int s = 0; s < n; ++s)
-      if (range_of[s] < all.size())
-        result[s] = own_measures.at(all[range_of[s]].name());
+      {
+        within_section(path, [&]() {
+          result[s] = common.of(s + 1, n, table, section.layer_names());
+        });
+        if (range_of[s] == all.size())
+          continue;
+        const std::string name = all[range_of[s]].name();
+        within_section(path + "/" + name, [&]() {
+          result[s] = own_measures.at(name).of(s + 1, n, common, result[s]);
+        });
+      }
     return result;
   }
 
@@ -252,44 +325,62 @@ namespace lumbricus
   ChainLayout
   SegmentChain::layout() const
   {
-    const auto segments = measures();
-    const auto radii    = [&](const unsigned int s) {
+    const auto &segments = measures();
+    const auto  radii    = [&](const unsigned int s) {
       return RoundSection::ring_radii(segments[s].radius,
                                       segments[s].layer_thicknesses);
     };
+    const auto between = [&](const unsigned int s) {
+      return ChainLayout::mean(radii(s), radii(s + 1), 0.5);
+    };
+    const bool is_gradual = taper == "along chambers";
+    const bool has_halves = n_half_septum > 0;
 
-    ChainLayout layout(radii(0));
+    const auto tip = [&](std::vector<double> of_cap) {
+      for (double &radius : of_cap)
+        radius *= tip_factor;
+      return of_cap;
+    };
+
+    ChainLayout layout(tip(radii(0)));
     layout.append(cap_thickness, n_cap, radii(0), {0, ChainSlab::Filling::cap});
     double begin = layout.end();
     for (unsigned int s = 0; s < n; ++s)
       {
-        layout.append(segments[s].length,
-                      n_along,
-                      radii(s),
-                      {s, ChainSlab::Filling::liquid});
-        const double middle = (layout.stations.rbegin() + n_along / 2)->x;
-        if (s + 1 < n)
+        const auto front = is_gradual && s > 0 ? between(s - 1) : radii(s);
+        const auto rear  = is_gradual && s + 1 < n ? between(s) : radii(s);
+        const double middle = layout.end() + segments[s].length / 2;
+        for (unsigned int i = 1; i <= n_along; ++i)
           {
-            const double half = segments[s].septum_thickness / 2;
-            layout.append(half,
-                          n_half_septum,
-                          ChainLayout::mean(radii(s), radii(s + 1), 0.5),
-                          {s, ChainSlab::Filling::septum});
-            layout.sections.push_back({begin, middle, layout.end()});
-            begin = layout.end();
-            layout.append(half,
-                          n_half_septum,
-                          radii(s + 1),
-                          {s + 1, ChainSlab::Filling::septum});
+            const double f = 2. * i / n_along;
+            layout.append(segments[s].length / n_along,
+                          1,
+                          f < 1. ? ChainLayout::mean(front, radii(s), f) :
+                                   ChainLayout::mean(radii(s), rear, f - 1.),
+                          {s, ChainSlab::Filling::liquid});
           }
-        else
+        if (s + 1 == n)
           {
             layout.sections.push_back({begin, middle, layout.end()});
             layout.append(cap_thickness,
                           n_cap,
-                          radii(s),
+                          tip(radii(s)),
                           {s, ChainSlab::Filling::cap});
+            break;
           }
+        const auto   next   = is_gradual ? between(s) : radii(s + 1);
+        const double septum = segments[s].septum_thickness;
+        layout.append(has_halves ? septum / 2 : septum,
+                      has_halves ? n_half_septum : 1,
+                      has_halves ? between(s) : next,
+                      {s, ChainSlab::Filling::septum});
+        layout.sections.push_back({begin, middle, layout.end()});
+        begin = layout.end();
+        if (has_halves)
+          layout.append(septum / 2,
+                        n_half_septum,
+                        next,
+                        {s + 1, ChainSlab::Filling::septum});
       }
     return layout;
   }
@@ -371,7 +462,7 @@ namespace lumbricus
   std::vector<CavityWall>
   SegmentChain::cavities() const
   {
-    const auto              segments = measures();
+    const auto             &segments = measures();
     unsigned int            next     = n_boundaries + symmetry_planes().size();
     std::vector<CavityWall> all;
     for (unsigned int s = 0; s < n; ++s)

@@ -51,8 +51,8 @@ namespace lumbricus
 
 
 
-    // That beside the edge of a face which lies in the plane X = middle, if
-    // there is one, with the wall's normal N at rest.
+    // That beside the edge of a face, or the line through its middle, which lies
+    // in the plane X = middle, if there is one, with the wall's normal N at rest.
     Point
     area_beside(const Nodes                     &nodes,
                 const std::vector<unsigned int> &on_face,
@@ -60,7 +60,7 @@ namespace lumbricus
                 const double                     tolerance,
                 const Point                     &N)
     {
-      // Vertices come first, then the middles of lines.
+      // Vertices come first, then the middles of lines, then those of faces.
       std::vector<unsigned int> edge;
       for (const unsigned int n : on_face)
         if (std::abs(nodes.X[n][0] - middle) < tolerance)
@@ -101,8 +101,8 @@ namespace lumbricus
                                 const unsigned int face,
                                 const unsigned int k) {
       const double middle = sections[walls[k].segment].middle;
-      // Each edge has a face on either side.
-      if (cell.iterator->face(face)->center()[0] > middle)
+      // An edge has a face on either side; a line through a face has one.
+      if (cell.iterator->face(face)->center()[0] > middle + tolerance)
         return;
       kernel.read(space, cell.iterator, relevant_solution, indices);
       Nodes                     nodes;

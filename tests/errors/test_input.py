@@ -372,7 +372,8 @@ end
     ("Poisson's ratio above 0.5", BLOCK, ["Tissues/flesh/Neo-Hooke/nu=0.6"],
      ["'Tissues/flesh/Neo-Hooke/nu' is '0.6'", "a number from 0 to 0.5"]),
     ("negative radius", CHAIN, ["Geometry/segment chain/Radius=-2"],
-     ["'Geometry/segment chain/Radius' is '-2'", "a number > 0"]),
+     ["'Geometry/segment chain/Radius' is -2 mm for segment 1",
+      "a number > 0"]),
     ("infinite length", BLOCK, ["Geometry/block/Lengths=1, inf, 1"],
      ["'Geometry/block/Lengths' is '1, inf, 1'", "3 entries",
       "a number > 0"]),
@@ -521,7 +522,8 @@ end
     ("wave that shortens to nothing", BLOCK,
      another_muscle("set Fibres = radial\nset Active stretch = wave\n"
                     "subsection wave\nset Amplitude = 1\nend"),
-     ["'Muscles/triceps/wave/Amplitude' is 1", "has to be less than 1"]),
+     ["'Muscles/triceps/wave/Amplitude' is 1 for segment 1",
+      "has to be less than 1"]),
     ("wave that lasts more than its period", BLOCK,
      another_muscle("set Fibres = radial\nset Active stretch = wave\n"
                     "subsection wave\nset Duty = 1.5\nend"),

@@ -56,6 +56,20 @@ TEST(Activation, WaveHasClosedValues)
 
 
 
+TEST(Activation, WaveHasFormulasInTheSegment)
+{
+  // Ten segments: two waves on the body, weaker towards the tail.
+  const auto wave = activation("wave",
+                               "set Ramp-in = 0\nset Duty = 1\n"
+                               "set Amplitude = 0.5*(n + 1 - s)/n\n"
+                               "set Wavelength = n/2\n");
+  EXPECT_NEAR(wave->value(0.5, 1, X), 0.5, 1e-14);
+  EXPECT_NEAR(wave->value(0.5, 6, X), 0.75, 1e-14);
+  EXPECT_NEAR(wave->value(0.7, 2, X), 1. - 0.45, 1e-14);
+}
+
+
+
 TEST(Activation, WaveTravelsOneSegmentInPeriodByWavelength)
 {
   const double delay   = 2. / 5;
@@ -146,8 +160,17 @@ TEST(Activation, WrongParametersAreErrorsThatNameThem)
                        }),
                        "'Formula'"));
   EXPECT_TRUE(
+    contains(input_error([]() { activation("wave", "set Amplitude = s/10"); }),
+             "is 1 for segment 10"));
+  EXPECT_TRUE(
+    contains(input_error([]() { activation("wave", "set Wavelength = s - 4"); }),
+             "'Muscles/longitudinal/wave/Wavelength' is -3 for segment 1"));
+  EXPECT_TRUE(
+    contains(input_error([]() { activation("wave", "set Amplitude = 0.1*t"); }),
+             "Use s and n"));
+  EXPECT_TRUE(
     contains(input_error([]() { activation("wave", "set Amplitude = 1"); }),
-             "'Amplitude'"));
+             "wave/Amplitude' is 1 for segment 1"));
   EXPECT_TRUE(
     contains(input_error([]() { activation("wave", "set Duty = 1.01"); }),
              "'Duty'"));

@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 #include <map>
 #include <set>
 #include <utility>
@@ -261,6 +263,37 @@ namespace
 
 
 
+  // A file with @p text, as long as this lives; one for each rank.
+  class TextFile
+  {
+  public:
+    explicit TextFile(const std::string &text)
+      : name("measures." +
+             std::to_string(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)) +
+             ".csv")
+    {
+      std::ofstream(name) << text;
+    }
+
+    ~TextFile()
+    {
+      std::remove(name.c_str());
+    }
+
+    const std::string name;
+  };
+
+
+
+  // The volume of a frustum with radii a and b, a quarter of it.
+  double
+  quarter_cone(const double a, const double b, const double h)
+  {
+    return pi * h * (a * a + a * b + b * b) / 3 / 4;
+  }
+
+
+
   void
   expect_support_points_are_vertices(const Geometry         &geometry,
                                      const Triangulation<3> &mesh)
@@ -319,10 +352,8 @@ TEST(SegmentChain, ConesHaveTheirVolumes)
 {
   const Totals sum = totals(*chain(uneven + quarter), 1);
 
-  const auto cone = [](const double a, const double b, const double h) {
-    return pi * h * (a * a + a * b + b * b) / 3 / 4;
-  };
-  const double R1 = 1.23456789, mean = (R1 + 2) / 2;
+  const auto  &cone = quarter_cone;
+  const double R1   = 1.23456789, mean = (R1 + 2) / 2;
   const auto   expect_volume =
     [&](const unsigned int s, const std::string &tissue, const double exact) {
       EXPECT_NEAR((sum.volumes.at({s - 1, tissue}) / exact), 1., 2e-5)
@@ -337,6 +368,147 @@ TEST(SegmentChain, ConesHaveTheirVolumes)
   expect_volume(1, "cap", cone(R1 + 0.3, R1 + 0.3, 0.3));
   expect_volume(4, "cap", cone(2.5, 2.5, 0.3));
   EXPECT_EQ(sum.volumes.at({1, "cap"}), 0.);
+}
+
+
+
+TEST(SegmentChain, MeasuresAreFormulasInTheSegment)
+{
+  const Totals sum = totals(
+    *chain(quarter + "set Number of segments = 3\n"
+                     "set Radius = 1 + s/n\n"
+                     "set Segment length = 6/n\n"
+                     "set Wall layer thicknesses = 0.1*s, max(0.2, s/10)\n"
+                     "set Septum thickness = if(s < 2, 0.3, 0.1)\n"),
+    1);
+  for (unsigned int s = 1; s <= 3; ++s)
+    {
+      const double R = 1 + s / 3.;
+      EXPECT_NEAR((sum.volumes.at({s - 1, "liquid"}) / quarter_cone(R, R, 2)),
+                  1.,
+                  2e-5);
+    }
+  EXPECT_NEAR((sum.volumes.at({0, "septum"}) /
+               quarter_cone(4 / 3., 1.5, 0.15)),
+              1.,
+              2e-5);
+  // That of the last segment: 0.3 thick inside and 0.3 outside.
+  EXPECT_NEAR((sum.volumes.at({2, "cap"}) / quarter_cone(2.6, 2.6, 0.3)),
+              1.,
+              2e-5);
+}
+
+
+
+TEST(SegmentChain, MeasuresAreReadFromATable)
+{
+  const auto radius = [](const std::string &table,
+                         const unsigned int n,
+                         const std::string &more = "") {
+    const TextFile file(table);
+    const Totals   sum =
+      totals(*chain(quarter + "set Number of segments = " + std::to_string(n) +
+                    "\nset Segment length = 2\nset Table of measures = " +
+                    file.name + "\n" + more),
+             1);
+    std::vector<double> radii;
+    for (unsigned int s = 0; s < n; ++s)
+      radii.push_back(
+        std::sqrt(sum.volumes.at({s, "liquid"}) * 4 / pi / 2.));
+    return radii;
+  };
+  const auto expect = [](const std::vector<double> &got,
+                         const std::vector<double> &wanted) {
+    ASSERT_EQ(got.size(), wanted.size());
+    for (unsigned int s = 0; s < got.size(); ++s)
+      EXPECT_NEAR(got[s], wanted[s], 2e-5 * wanted[s]);
+  };
+  // Linear between rows, the same shape for any number of segments.
+  const std::string by_place = "# a shape\nplace, Radius, circular muscle\n"
+                               "0, 1, 0.1\n\n0.5, 3, 0.2 # the middle\n1, 2, 0.1\n";
+  expect(radius(by_place, 2), {2., 2.5});
+  expect(radius(by_place, 4), {1.5, 2.5, 2.75, 2.25});
+  expect(radius("s, Radius\n1, 1\n3, 2\n", 3), {1., 1.5, 2.});
+  // Where a range of segments has a formula of its own, that.
+  expect(radius(by_place,
+                4,
+                "set Segments with their own measures = 2\n"
+                "subsection Segment 2\nset Radius = s\nend\n"),
+         {1.5, 2., 2.75, 2.25});
+
+  const auto message = [&](const std::string &table, const std::string &more) {
+    return input_error([&]() { radius(table, 3, more); });
+  };
+  for (const auto &[table, part] :
+       std::vector<std::pair<std::string, std::string>>{
+         {"place, Radios\n0, 1\n1, 1\n", "'Radios' is no measure"},
+         {"x, Radius\n0, 1\n1, 1\n", "not 'x'"},
+         {"place, Radius, Radius\n0, 1, 1\n", "there twice"},
+         {"place, Radius\n0, 1\n1\n", "line 3: it has 1 numbers for 2"},
+         {"place, Radius\n0, one\n1, 1\n", "line 2: 'one' is no number"},
+         {"place, Radius\n0, nan\n1, 1\n", "'nan' is no number"},
+         {"place, Radius\n1, 1\n0, 1\n", "line 3: the column 'place' has to"},
+         {"place, Radius\n", "has no rows"},
+         {"", "has no rows"},
+         {"s, Radius\n1, 1\n2, 1\n", "segment 3 of 3 is at 3"},
+         {"place, Radius\n0, 1\n1, -1\n", "'Radius' is 0 mm for segment 2"}})
+    {
+      const std::string got = message(table, "");
+      EXPECT_TRUE(contains(got, "'Geometry/segment chain/Table of measures'") && contains(got, part))
+        << table << got;
+    }
+  EXPECT_TRUE(contains(input_error([]() {
+                         chain("set Table of measures = nowhere.csv");
+                       }),
+                       "'nowhere.csv' cannot be read"));
+}
+
+
+
+TEST(SegmentChain, ChambersAreConesWhereTheTaperGoesAlongThem)
+{
+  // Radii 1, 2, 4: the walls are at 1, 1.5 and 1.5, 2, 3 and 3, 4.
+  const std::string text =
+    quarter + "set Number of segments = 3\nset Radius = 2^(s - 1)\n"
+              "set Segment length = 2\nset Wall layer thicknesses = 0.2, 0.3\n"
+              "set Septum thickness = 0.1\nset Cap thickness = 0.4\n"
+              "set Taper = along chambers\nset Tip of the caps = 0.5\n";
+  const auto &cone = quarter_cone;
+  for (const std::string septum : {"", "set Cells through half a septum = 0"})
+    {
+      const auto   body = chain(text + septum);
+      const Totals sum  = totals(*body, 1);
+      const auto   near = [&](const unsigned int s,
+                            const std::string &tissue,
+                            const double       exact) {
+        EXPECT_NEAR((sum.volumes.at({s - 1, tissue}) / exact), 1., 2e-5)
+          << tissue << " of segment " << s << septum;
+      };
+      near(1, "liquid", cone(1, 1, 1) + cone(1, 1.5, 1));
+      near(2, "liquid", cone(1.5, 2, 1) + cone(2, 3, 1));
+      near(3, "liquid", cone(3, 4, 1) + cone(4, 4, 1));
+      // Halves belong to both, one cell to the segment in front.
+      const double thickness = septum.empty() ? 0.05 : 0.1;
+      near(1, "septum", cone(1.5, 1.5, thickness));
+      near(1, "cap", cone(0.75, 1.5, 0.4));
+      near(3, "cap", cone(4.5, 2.25, 0.4));
+      if (septum.empty())
+        near(3, "septum", cone(3, 3, 0.05));
+      else
+        EXPECT_EQ(sum.volumes.at({2, "septum"}), 0.);
+
+      const auto sections = body->sections();
+      EXPECT_NEAR(sections[0].begin, 0.4, 1e-14);
+      EXPECT_NEAR(sections[0].middle, 1.4, 1e-14);
+      EXPECT_NEAR(sections[0].end, 2.4 + thickness, 1e-14);
+      EXPECT_EQ(sections[1].begin, sections[0].end);
+      EXPECT_NEAR(sections[1].middle, 3.5, 1e-14);
+      EXPECT_NEAR(sections[2].end, 6.6, 1e-14);
+
+      Triangulation<3> mesh;
+      make_mesh(*body, 0, mesh);
+      expect_support_points_are_vertices(*body, mesh);
+    }
 }
 
 
@@ -605,6 +777,25 @@ TEST(SegmentChain, WrongParametersAreErrorsThatNameThem)
   expect(ten + name + "1, two", "'two'", "their own measures'");
   expect(ten + name + "1-2-3", "'1-2-3'", "their own measures'");
   expect("set Cells along a segment = 3", "Cells along a segment", "even");
+  EXPECT_EQ(message("set Cells along a segment = 3\nset Liquid = cavity"), "");
+  expect("set Radius = 2 - s", "'Geometry/segment chain/Radius'", "is 0 mm for segment 2");
+  expect("set Radius = 1/0", "Radius'", "segment 1");
+  expect("set Radius = 2 + x", "Radius'", "Use s and n");
+  expect("set Segment length = 1 + t", "Segment length'", "Use s and n");
+  expect("set Septum thickness = max(s", "Septum thickness", "cannot be read");
+  expect("set Wall layer thicknesses = 0.1, max(0.1",
+         "Wall layer thicknesses",
+         "cannot be read");
+  expect("set Wall layer thicknesses = 0.1, 0.1, 0.1",
+         "Wall layer thicknesses",
+         "3 entries");
+  expect("set Wall layer thicknesses = 0.1, 0.1 - s/10",
+         "Wall layer thicknesses",
+         "is 0 mm for segment 1");
+  expect("set Segments with their own measures = 2\n"
+         "subsection Segment 2\nset Radius = s - n\nend",
+         "Segment 2/Radius",
+         "is -1 mm for segment 2");
   expect("set Cells around a quarter = 3", "Cells around a quarter", "even");
   expect("set Wall layers = a, a",
          "'Geometry/segment chain/Wall layers'",

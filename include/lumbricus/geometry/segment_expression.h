@@ -66,6 +66,13 @@ namespace lumbricus
     bool
     is_number() const;
 
+    /** Whether t, x, y or z is in it. */
+    bool
+    depends_on_place_or_time() const
+    {
+      return formula.depends_on_place() || formula.depends_on_time();
+    }
+
     /** The formula as the user wrote it. */
     const std::string &
     text() const
