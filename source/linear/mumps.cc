@@ -7,11 +7,13 @@
 #include <smumps_c.h>
 
 #include <algorithm>
-#include <numeric>
-#include <utility>
 #include <cstddef>
+#include <cstdlib>
 #include <exception>
+#include <new>
+#include <numeric>
 #include <string>
+#include <utility>
 
 namespace lumbricus
 {
@@ -107,8 +109,11 @@ namespace lumbricus
   template <typename Number>
   Mumps<Number>::Mumps(const MPI_Comm       comm,
                        const Options       &options,
-                       const FreeNumbering &numbering)
+                       const FreeNumbering &numbering,
+                       const MPI_Comm       told)
     : comm(comm)
+    , told(told)
+    , is_alone(dealii::Utilities::MPI::n_mpi_processes(comm) == 1)
     , symmetric(options.symmetric)
     , compressed(options.compression > 0.)
     , numbering(numbering)
@@ -148,8 +153,7 @@ namespace lumbricus
   {
     // To end it takes all ranks, and where memory ends on one, or something
     // else is wrong there, the others are not here.
-    if (std::uncaught_exceptions() > 0 &&
-        dealii::Utilities::MPI::n_mpi_processes(comm) > 1)
+    if (std::uncaught_exceptions() > 0 && !is_alone)
       return;
     instance->data.job = terminate;
     Precision<Number>::call(&instance->data);
@@ -171,40 +175,47 @@ namespace lumbricus
   void
   Mumps<Number>::check(const std::string &what) const
   {
-    const int code = instance->info(1);
+    // The same on all ranks of comm. Other ranks that are told have a MUMPS of
+    // their own, which may be content.
+    const int code = comm == told ?
+                       instance->info(1) :
+                       dealii::Utilities::MPI::min(instance->info(1), told);
     if (code >= 0)
       return;
     AssertThrow(code != -10,
                 ExcNotConverged("The tangent matrix is singular"));
+    const bool is_here = instance->info(1) == code;
+    const int  detail  = dealii::Utilities::MPI::max(
+      is_here ? std::abs(instance->info(2)) : 0, told);
     if (is_one_of(code, out_of_memory))
       {
         // Entries, in millions where there are many; only the rank concerned
         // has the code itself.
-        const double       n = instance->info(2);
-        const double       entries_lacking = n >= 0. ? n : -1e6 * n;
+        const bool in_millions = dealii::Utilities::MPI::logical_or(
+          is_here && instance->info(2) < 0, told);
+        const double       entries_lacking = in_millions ? 1e6 * detail : detail;
         const bool         integers        = code == -7 || code == -8;
         const unsigned int n_ranks =
-          dealii::Utilities::MPI::n_mpi_processes(comm);
+          dealii::Utilities::MPI::n_mpi_processes(told);
         const unsigned int rank = dealii::Utilities::MPI::min(
           instance->data.info[0] == code ?
-            dealii::Utilities::MPI::this_mpi_process(comm) :
+            dealii::Utilities::MPI::this_mpi_process(told) :
             n_ranks,
-          comm);
+          told);
         AssertThrow(false,
                     ExcSolveFailed(
                       out_of_memory_message(
                         entries_lacking *
                           (integers ? sizeof(MUMPS_INT) : sizeof(Number)),
                         rank < n_ranks ? rank : 0,
-                        comm) +
+                        told) +
                       " (In the " + what + " by MUMPS, code " +
                       std::to_string(code) + ".)"));
       }
     AssertThrow(false,
                 ExcSolveFailed("The " + what + " by MUMPS failed with code " +
                                std::to_string(code) + ", " +
-                               std::to_string(instance->info(2)) + ". " +
-                               advice));
+                               std::to_string(detail) + ". " + advice));
   }
 
 
@@ -228,41 +239,47 @@ namespace lumbricus
 
   template <typename Number>
   void
-  Mumps<Number>::analyse(const CellUnknowns &unknowns,
-                         const unsigned int  n_cells,
-                         const unsigned int  n_left_out,
-                         const MoreEntries  &more)
+  Mumps<Number>::analyse(const CellUnknowns              &unknowns,
+                         const unsigned int               n_cells,
+                         const unsigned int               n_left_out,
+                         const MoreEntries               &more,
+                         const std::vector<unsigned int> &not_eliminated)
   {
+    const bool is_first = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
     for (unsigned int i = 0; i < n_cells; ++i)
       {
         const auto places = unknowns.free_unknowns(i);
         add_pattern(places.data() + n_left_out, places.size() - n_left_out);
       }
+    for (const unsigned int number : not_eliminated)
+      if (number < numbering.size())
+        left_unknowns.push_back(number + 1);
     std::vector<int> order;
     if (more.n_unknowns > 0)
       {
         plan(0);
-        order = order_with(more);
-        for (unsigned int k = 0; k < more.rows.size(); ++k)
-          {
-            rows.push_back(more.rows[k] + 1);
-            columns.push_back(more.columns[k] + 1);
-          }
+        for (const unsigned int number : not_eliminated)
+          if (number >= numbering.size())
+            left_unknowns.push_back(number + 1);
+        order                  = order_with(more);
         instance->control(7)   = 1; // the ordering is given
         instance->data.perm_in = order.data();
       }
+    for (const MatrixEntries *entries : {&more.own, &more.common})
+      if (entries == &more.own || is_first)
+        for (unsigned int k = 0; k < entries->rows.size(); ++k)
+          {
+            rows.push_back(entries->rows[k] + 1);
+            columns.push_back(entries->columns[k] + 1);
+          }
 
-    counts =
-      dealii::Utilities::MPI::all_gather(comm,
-                                         static_cast<int>(numbering.n_owned()));
-    offsets = counts;
-    for (unsigned int r = 0, sum = 0; r < counts.size(); ++r)
-      {
-        offsets[r] = sum;
-        sum += counts[r];
-      }
-    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
-      centralised.resize(numbering.size() + more.n_unknowns);
+    // MUMPS counts from one.
+    const unsigned int n_given = numbering.n_owned();
+    unsigned int       first   = 0;
+    MPI_Exscan(&n_given, &first, 1, MPI_UNSIGNED, MPI_SUM, comm);
+    given.resize(n_given + (is_first ? more.n_unknowns : 0));
+    std::iota(given.begin(), given.begin() + n_given, first + 1);
+    std::iota(given.begin() + n_given, given.end(), numbering.size() + 1);
     plan(more.n_unknowns);
   }
 
@@ -279,6 +296,17 @@ namespace lumbricus
     data.irn_loc = rows.data();
     data.jcn_loc = columns.data();
     data.a_loc   = entries.data();
+    const std::size_t n_left = left_unknowns.size();
+    if (n_left > 0)
+      {
+        Assert(is_alone, dealii::ExcInternalError());
+        left.resize(n_left * n_left);
+        instance->control(19) = 1; // what is left is given back by rows
+        data.size_schur       = n_left;
+        data.listvar_schur    = left_unknowns.data();
+        data.schur            = left.data();
+        data.lredrhs          = n_left;
+      }
     run(analysis);
     check("analysis of the matrix");
   }
@@ -298,13 +326,16 @@ namespace lumbricus
                 positions.begin());
     MPI_Bcast(positions.data(), n, MPI_INT, 0, comm);
     std::vector<int> last(more.n_unknowns, 0);
-    for (unsigned int k = 0; k < more.rows.size(); ++k)
+    for (unsigned int k = 0; k < more.own.rows.size(); ++k)
       for (const auto &[global, other] :
-           {std::make_pair(more.rows[k], more.columns[k]),
-            std::make_pair(more.columns[k], more.rows[k])})
+           {std::make_pair(more.own.rows[k], more.own.columns[k]),
+            std::make_pair(more.own.columns[k], more.own.rows[k])})
         if (global >= n && other < n)
           last[global - n] = std::max(last[global - n], positions[other]);
     dealii::Utilities::MPI::max(last, comm, last);
+    for (const int unknown : left_unknowns)
+      if (unsigned(unknown) > n)
+        last[unknown - n - 1] = n;
 
     // Each goes behind the last one that it hangs together with.
     std::vector<int> shift(n + 2, 0);
@@ -365,9 +396,12 @@ namespace lumbricus
   void
   Mumps<Number>::add(const MoreEntries &more)
   {
-    AssertDimension(next + more.values.size(), entries.size());
-    for (const double value : more.values)
+    for (const double value : more.own.values)
       entries[next++] = static_cast<Number>(value);
+    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+      for (const double value : more.common.values)
+        entries[next++] = static_cast<Number>(value);
+    AssertDimension(next, entries.size());
   }
 
 
@@ -386,6 +420,7 @@ namespace lumbricus
         instance->control(14) *= 2;
       }
     check("factorisation");
+    is_found_known = false;
   }
 
 
@@ -394,33 +429,104 @@ namespace lumbricus
   void
   Mumps<Number>::solve(std::vector<Number> &values, std::vector<Number> &more)
   {
-    // The right-hand side and the solution are whole on rank 0.
-    const MPI_Datatype type = Precision<Number>::mpi();
-    const int          n    = values.size();
-    MPI_Gatherv(values.data(),
-                n,
-                type,
-                centralised.data(),
-                counts.data(),
-                offsets.data(),
-                type,
-                0,
-                comm);
-    const auto after_all = centralised.end() - more.size();
-    std::copy(more.begin(), more.end(), after_all);
-    instance->data.rhs = centralised.data();
+    given_values = values;
+    given_values.insert(given_values.end(), more.begin(), more.end());
+    AssertDimension(given_values.size(), given.size());
+    if (is_alone)
+      solve_alone(given_values);
+    else
+      {
+        auto &data = instance->data;
+        found.resize(std::max(1, data.info[22]));
+        found_values.resize(found.size());
+        instance->control(20) = 10; // the right-hand side is distributed
+        instance->control(21) = 1;  // and so is the solution
+        data.nloc_rhs         = given.size();
+        data.lrhs_loc         = given.size();
+        data.irhs_loc         = given.data();
+        data.rhs_loc          = given_values.data();
+        data.lsol_loc         = found.size();
+        data.isol_loc         = found.data();
+        data.sol_loc          = found_values.data();
+        run(back_substitute);
+        check("back substitution");
+        found_values.resize(data.info[22]);
+        if (!is_found_known)
+          {
+            using Indices = std::vector<dealii::types::global_dof_index>;
+            Indices at(found.begin(), found.begin() + found_values.size());
+            Indices wanted(given.begin(), given.end());
+            for (Indices *indices : {&at, &wanted})
+              for (auto &index : *indices)
+                --index;
+            to_given.reinit(at, wanted, comm);
+            is_found_known = true;
+          }
+        to_given.template export_to_ghosted_array<Number>(
+          dealii::make_array_view(std::as_const(found_values)),
+          dealii::make_array_view(given_values));
+      }
+    std::copy_n(given_values.begin(), values.size(), values.begin());
+    std::copy(given_values.begin() + values.size(),
+              given_values.end(),
+              more.begin());
+  }
+
+
+
+  template <typename Number>
+  void
+  Mumps<Number>::solve_alone(std::vector<Number> &values)
+  {
+    instance->data.rhs = values.data();
     run(back_substitute);
-    check("back substitution");
-    std::copy(after_all, centralised.end(), more.begin());
-    MPI_Scatterv(centralised.data(),
-                 counts.data(),
-                 offsets.data(),
-                 type,
-                 values.data(),
-                 n,
-                 type,
-                 0,
-                 comm);
+    if (comm == told)
+      check("back substitution");
+    else
+      {
+        // To ask the others every time would take longer than to end them.
+        const int code = instance->info(1);
+        if (is_one_of(code, out_of_memory))
+          throw std::bad_alloc();
+        AssertThrow(code >= 0,
+                    dealii::ExcMessage("The back substitution by MUMPS on a rank "
+                                       "failed with code " +
+                                       std::to_string(code) + "."));
+      }
+  }
+
+
+
+  template <typename Number>
+  void
+  Mumps<Number>::reduce(std::vector<Number> &all, std::vector<Number> &of_left)
+  {
+    if (left_unknowns.empty())
+      return;
+    reduced.resize(left_unknowns.size());
+    for (const int unknown : left_unknowns)
+      all[unknown - 1] = 0.;
+    instance->data.redrhs = reduced.data();
+    instance->control(26) = 1;
+    solve_alone(all);
+    for (unsigned int k = 0; k < reduced.size(); ++k)
+      of_left[k] += reduced[k];
+  }
+
+
+
+  template <typename Number>
+  void
+  Mumps<Number>::expand(const std::vector<Number> &of_left,
+                        std::vector<Number>       &all)
+  {
+    if (!left_unknowns.empty())
+      {
+        reduced               = of_left;
+        instance->data.redrhs = reduced.data();
+        instance->control(26) = 2;
+      }
+    solve_alone(all);
   }
 
 
@@ -447,12 +553,12 @@ namespace lumbricus
 
   template <typename Number>
   double
-  Mumps<Number>::factor_cost() const
+  Mumps<Number>::cost(const double flops, const double n_entries)
   {
     // A factorisation is arithmetic and some overhead, a back substitution
     // reads the factors twice: fitted to what both took on meshes of 17,000 to
     // 124,000 unknowns.
-    return 17. + factor_flops() / (200. * factor_entries());
+    return 17. + flops / (200. * n_entries);
   }
 
 
