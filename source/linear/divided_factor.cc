@@ -194,9 +194,9 @@ namespace lumbricus
                              const unsigned int           n_left_out,
                              const MoreEntries           &more)
   {
-    // What is inside comes first, then what is shared, then, where nothing is
-    // inside, an unknown that hangs together with nothing: MUMPS wants one to
-    // eliminate; then those that no cell has.
+    // What is inside comes first (where nothing is, an unknown that hangs
+    // together with nothing: MUMPS wants one to eliminate), then what is shared,
+    // then those that no cell has.
     Vector layout;
     unknowns.reinit_vector(layout);
     std::vector<unsigned int> number_at(
@@ -204,11 +204,11 @@ namespace lumbricus
         layout.get_partitioner()->n_ghost_indices(),
       0);
     unsigned int n = 0;
+    if (division.inside.empty())
+      lonely = n++;
     for (const auto *places : {&division.inside, &division.shared_places})
       for (const unsigned int place : *places)
         number_at[place] = n++;
-    if (division.inside.empty())
-      lonely = n++;
     inside_numbering = FreeNumbering(number_at, division.inside, n);
 
     for (const unsigned int place : division.shared_places)

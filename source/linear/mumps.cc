@@ -251,20 +251,15 @@ namespace lumbricus
         const auto places = unknowns.free_unknowns(i);
         add_pattern(places.data() + n_left_out, places.size() - n_left_out);
       }
-    for (const unsigned int number : not_eliminated)
-      if (number < numbering.size())
-        left_unknowns.push_back(number + 1);
     std::vector<int> order;
-    if (more.n_unknowns > 0)
+    if (more.n_unknowns > 0 || !not_eliminated.empty())
       {
-        plan(0);
-        for (const unsigned int number : not_eliminated)
-          if (number >= numbering.size())
-            left_unknowns.push_back(number + 1);
-        order                  = order_with(more);
+        order                  = order_with(more, not_eliminated);
         instance->control(7)   = 1; // the ordering is given
         instance->data.perm_in = order.data();
       }
+    for (const unsigned int number : not_eliminated)
+      left_unknowns.push_back(number + 1);
     for (const MatrixEntries *entries : {&more.own, &more.common})
       if (entries == &more.own || is_first)
         for (unsigned int k = 0; k < entries->rows.size(); ++k)
@@ -280,18 +275,18 @@ namespace lumbricus
     given.resize(n_given + (is_first ? more.n_unknowns : 0));
     std::iota(given.begin(), given.begin() + n_given, first + 1);
     std::iota(given.begin() + n_given, given.end(), numbering.size() + 1);
-    plan(more.n_unknowns);
+    plan(numbering.size() + more.n_unknowns);
   }
 
 
 
   template <typename Number>
   void
-  Mumps<Number>::plan(const unsigned int n_more)
+  Mumps<Number>::plan(const unsigned int n_unknowns)
   {
     entries.resize(rows.size());
     auto &data   = instance->data;
-    data.n       = numbering.size() + n_more;
+    data.n       = n_unknowns;
     data.nnz_loc = rows.size();
     data.irn_loc = rows.data();
     data.jcn_loc = columns.data();
@@ -315,16 +310,41 @@ namespace lumbricus
 
   template <typename Number>
   std::vector<int>
-  Mumps<Number>::order_with(const MoreEntries &more) const
+  Mumps<Number>::order_with(const MoreEntries               &more,
+                            const std::vector<unsigned int> &not_eliminated)
   {
-    // Where they come among the others, which the first rank knows.
     const unsigned int n = numbering.size();
-    std::vector<int>   positions(n);
-    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
-      std::copy(instance->data.sym_perm,
-                instance->data.sym_perm + n,
-                positions.begin());
-    MPI_Bcast(positions.data(), n, MPI_INT, 0, comm);
+    const auto         n_left_of_cells =
+      std::count_if(not_eliminated.begin(),
+                    not_eliminated.end(),
+                    [n](const unsigned int number) { return number < n; });
+    const unsigned int n_eliminated = n - n_left_of_cells;
+
+    // MUMPS orders what is eliminated, by itself; the first rank knows how.
+    std::vector<int> all_rows, all_columns;
+    all_rows.swap(rows);
+    all_columns.swap(columns);
+    for (unsigned int k = 0; k < all_rows.size(); ++k)
+      if (std::max(all_rows[k], all_columns[k]) <= int(n_eliminated))
+        {
+          rows.push_back(all_rows[k]);
+          columns.push_back(all_columns[k]);
+        }
+    std::vector<int> positions(n);
+    std::iota(positions.begin(), positions.end(), 1);
+    if (n_eliminated > 1)
+      {
+        plan(n_eliminated);
+        if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+          std::copy(instance->data.sym_perm,
+                    instance->data.sym_perm + n_eliminated,
+                    positions.begin());
+        MPI_Bcast(positions.data(), n, MPI_INT, 0, comm);
+      }
+    rows.swap(all_rows);
+    columns.swap(all_columns);
+
+    // Where the others come among them.
     std::vector<int> last(more.n_unknowns, 0);
     for (unsigned int k = 0; k < more.own.rows.size(); ++k)
       for (const auto &[global, other] :
@@ -333,9 +353,9 @@ namespace lumbricus
         if (global >= n && other < n)
           last[global - n] = std::max(last[global - n], positions[other]);
     dealii::Utilities::MPI::max(last, comm, last);
-    for (const int unknown : left_unknowns)
-      if (unsigned(unknown) > n)
-        last[unknown - n - 1] = n;
+    for (const unsigned int number : not_eliminated)
+      if (number >= n)
+        last[number - n] = n;
 
     // Each goes behind the last one that it hangs together with.
     std::vector<int> shift(n + 2, 0);

@@ -215,17 +215,18 @@ namespace lumbricus
     void
     run(const int job);
 
-    /** Analyse the announced pattern, with @p n_more unknowns beyond the
-     * numbering. */
+    /** Analyse the announced pattern of so many unknowns. */
     void
-    plan(const unsigned int n_more);
+    plan(const unsigned int n_unknowns);
 
-    /** After plan() without @p more: the position of every unknown in an ordering
-     * with them, on all ranks. Each comes after all others in its row: then what is
-     * left of its diagonal is what the whole gives, and not that of the first few
-     * unknowns, beside which the rest would be lost in rounding. */
+    /** The position of every unknown in an ordering with @p more, on all ranks.
+     * Each of these comes after all others in its row: then what is left of its
+     * diagonal is what the whole gives, and not that of the first few unknowns,
+     * beside which the rest would be lost in rounding. Those not eliminated, which
+     * have the last numbers of the cells' unknowns and of the others, come last. */
     std::vector<int>
-    order_with(const MoreEntries &more) const;
+    order_with(const MoreEntries               &more,
+               const std::vector<unsigned int> &not_eliminated);
 
     /** Throw where run() has failed at @p what: ExcNotConverged for a singular
      * matrix, or ExcSolveFailed. Collective. */
