@@ -251,13 +251,13 @@ namespace lumbricus
         const auto places = unknowns.free_unknowns(i);
         add_pattern(places.data() + n_left_out, places.size() - n_left_out);
       }
-    std::vector<int> order;
     if (more.n_unknowns > 0 || !not_eliminated.empty())
       {
         order                  = order_with(more, not_eliminated);
         instance->control(7)   = 1; // the ordering is given
         instance->data.perm_in = order.data();
       }
+    left_unknowns.clear();
     for (const unsigned int number : not_eliminated)
       left_unknowns.push_back(number + 1);
     for (const MatrixEntries *entries : {&more.own, &more.common})
@@ -292,18 +292,72 @@ namespace lumbricus
     data.jcn_loc = columns.data();
     data.a_loc   = entries.data();
     const std::size_t n_left = left_unknowns.size();
-    if (n_left > 0)
-      {
-        Assert(is_alone, dealii::ExcInternalError());
-        left.resize(n_left * n_left);
-        instance->control(19) = 1; // what is left is given back by rows
-        data.size_schur       = n_left;
-        data.listvar_schur    = left_unknowns.data();
-        data.schur            = left.data();
-        data.lredrhs          = n_left;
-      }
+    left.resize(n_left * n_left);
+    // What is left is given back by rows.
+    instance->control(19) = n_left > 0 ? 1 : 0;
+    data.size_schur       = n_left;
+    data.listvar_schur    = left_unknowns.data();
+    data.schur            = left.data();
+    data.lredrhs          = n_left;
+    Assert(n_left == 0 || is_alone, dealii::ExcInternalError());
     run(analysis);
     check("analysis of the matrix");
+  }
+
+
+
+  template <typename Number>
+  std::vector<int>
+  Mumps<Number>::planned_positions(const unsigned int n_unknowns)
+  {
+    // The first rank knows them.
+    plan(n_unknowns);
+    std::vector<int> positions(n_unknowns);
+    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+      std::copy_n(instance->data.sym_perm, n_unknowns, positions.begin());
+    MPI_Bcast(positions.data(), n_unknowns, MPI_INT, 0, comm);
+    return positions;
+  }
+
+
+
+  template <typename Number>
+  std::vector<int>
+  Mumps<Number>::positions_with_left(const unsigned int n_left)
+  {
+    const unsigned int n            = numbering.size();
+    const unsigned int n_eliminated = n - n_left;
+    std::vector<int>   every(n);
+    std::iota(every.begin(), every.end(), 1);
+    if (n_eliminated == 1)
+      return every;
+
+    // MUMPS looks at all of them, with minimum degrees, which is good where few
+    // are left, as of a slender body.
+    left_unknowns.assign(every.begin() + n_eliminated, every.end());
+    const std::vector<int> by_degree       = planned_positions(n);
+    const double           flops_by_degree = planned_flops();
+
+    // Or at those only that are eliminated, which it dissects.
+    std::vector<int> all_rows, all_columns;
+    all_rows.swap(rows);
+    all_columns.swap(columns);
+    for (std::size_t k = 0; k < all_rows.size(); ++k)
+      if (std::max(all_rows[k], all_columns[k]) <= int(n_eliminated))
+        {
+          rows.push_back(all_rows[k]);
+          columns.push_back(all_columns[k]);
+        }
+    left_unknowns.clear();
+    order = planned_positions(n_eliminated);
+    rows.swap(all_rows);
+    columns.swap(all_columns);
+    left_unknowns.assign(every.begin() + n_eliminated, every.end());
+    order.insert(order.end(), left_unknowns.begin(), left_unknowns.end());
+    instance->control(7)   = 1;
+    instance->data.perm_in = order.data();
+    plan(n);
+    return planned_flops() < flops_by_degree ? order : by_degree;
   }
 
 
@@ -314,35 +368,13 @@ namespace lumbricus
                             const std::vector<unsigned int> &not_eliminated)
   {
     const unsigned int n = numbering.size();
-    const auto         n_left_of_cells =
+    const unsigned int n_left_of_cells =
       std::count_if(not_eliminated.begin(),
                     not_eliminated.end(),
                     [n](const unsigned int number) { return number < n; });
-    const unsigned int n_eliminated = n - n_left_of_cells;
-
-    // MUMPS orders what is eliminated, by itself; the first rank knows how.
-    std::vector<int> all_rows, all_columns;
-    all_rows.swap(rows);
-    all_columns.swap(columns);
-    for (unsigned int k = 0; k < all_rows.size(); ++k)
-      if (std::max(all_rows[k], all_columns[k]) <= int(n_eliminated))
-        {
-          rows.push_back(all_rows[k]);
-          columns.push_back(all_columns[k]);
-        }
-    std::vector<int> positions(n);
-    std::iota(positions.begin(), positions.end(), 1);
-    if (n_eliminated > 1)
-      {
-        plan(n_eliminated);
-        if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
-          std::copy(instance->data.sym_perm,
-                    instance->data.sym_perm + n_eliminated,
-                    positions.begin());
-        MPI_Bcast(positions.data(), n, MPI_INT, 0, comm);
-      }
-    rows.swap(all_rows);
-    columns.swap(all_columns);
+    std::vector<int> positions = n_left_of_cells > 0 ?
+                                   positions_with_left(n_left_of_cells) :
+                                   planned_positions(n);
 
     // Where the others come among them.
     std::vector<int> last(more.n_unknowns, 0);

@@ -219,6 +219,16 @@ namespace lumbricus
     void
     plan(const unsigned int n_unknowns);
 
+    /** plan(), and the positions of the unknowns in the ordering that MUMPS has
+     * taken. */
+    std::vector<int>
+    planned_positions(const unsigned int n_unknowns);
+
+    /** Positions of the cells' unknowns, of which the last @p n_left are not
+     * eliminated, in the better of two orderings. */
+    std::vector<int>
+    positions_with_left(const unsigned int n_left);
+
     /** The position of every unknown in an ordering with @p more, on all ranks.
      * Each of these comes after all others in its row: then what is left of its
      * diagonal is what the whole gives, and not that of the first few unknowns,
@@ -241,7 +251,7 @@ namespace lumbricus
     const FreeNumbering      &numbering;
     std::unique_ptr<Instance> instance;
     std::size_t               next = 0;
-    std::vector<int>          rows, columns;
+    std::vector<int>          rows, columns, order;
     std::vector<Number>       entries;
 
     // The unknowns that are not eliminated, as MUMPS counts them.
