@@ -4,6 +4,7 @@
 
 #include <lumbricus/discretization/tangent.h>
 #include <lumbricus/linear/approximate_inverse.h>
+#include <lumbricus/linear/divided_factor.h>
 #include <lumbricus/linear/mumps.h>
 
 #include <array>
@@ -11,7 +12,6 @@
 #include <optional>
 #include <vector>
 
-#include "divided_factor.h"
 #include "global_rows.h"
 
 namespace lumbricus

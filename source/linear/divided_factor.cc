@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "divided_factor.h"
+#include <lumbricus/linear/divided_factor.h>
 
 #include <lumbricus/core/exceptions.h>
 
@@ -130,7 +130,8 @@ namespace lumbricus
                                const CellUnknowns          &unknowns,
                                const unsigned int           n_left_out,
                                const FreeNumbering         &numbering,
-                               const MoreEntries           &more)
+                               const MoreEntries           &more,
+                               const double                 dense_entries)
     : comm(comm)
     , rank(dealii::Utilities::MPI::this_mpi_process(comm))
     , symmetric(options.symmetric)
@@ -145,11 +146,9 @@ namespace lumbricus
       dealii::Utilities::MPI::max(std::max(square(division.shared.size()),
                                            front ? square(front->size()) : 0.),
                                   comm);
-    is_divided =
-      largest <=
-      std::max(smallest_bound,
-               std::min(most_dense_entries * numbering.size(),
-                        double(std::numeric_limits<int>::max())));
+    // MPI counts with an int.
+    is_divided = largest <= std::min(dense_entries * numbering.size(),
+                                     double(std::numeric_limits<int>::max()));
     if (is_divided)
       plan_inside(options, unknowns, n_left_out, more);
     else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "division.h"
+#include <lumbricus/linear/division.h>
 
 #include <algorithm>
 #include <set>

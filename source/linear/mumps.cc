@@ -23,6 +23,10 @@ namespace lumbricus
     constexpr int initialise = -1, terminate = -2, analysis = 1, factorise = 2,
                   back_substitute = 3;
 
+    // How many entries what is left may have per unknown that is eliminated,
+    // where these are ordered by their degrees.
+    constexpr double most_left_by_degree = 100.;
+
     const std::string advice =
       "Its manual says what that is. Try another 'Linear solver/Method'.";
 
@@ -129,7 +133,7 @@ namespace lumbricus
     instance->control(2)  = -1;
     instance->control(3)  = -1;
     instance->control(4)  = 0;
-    instance->control(7)  = 5;  // ordering by Metis
+    instance->control(7)  = 5;  // dissection: Metis where MUMPS has it, or PORD
     instance->control(14) = 40; // percent of memory beyond the estimate
     instance->control(18) = 3;  // the matrix is distributed
     if (!options.pivoting)
@@ -251,6 +255,7 @@ namespace lumbricus
         const auto places = unknowns.free_unknowns(i);
         add_pattern(places.data() + n_left_out, places.size() - n_left_out);
       }
+    std::vector<int> order;
     if (more.n_unknowns > 0 || !not_eliminated.empty())
       {
         order                  = order_with(more, not_eliminated);
@@ -276,6 +281,7 @@ namespace lumbricus
     std::iota(given.begin(), given.begin() + n_given, first + 1);
     std::iota(given.begin() + n_given, given.end(), numbering.size() + 1);
     plan(numbering.size() + more.n_unknowns);
+    check("analysis of the matrix");
   }
 
 
@@ -301,7 +307,6 @@ namespace lumbricus
     data.lredrhs          = n_left;
     Assert(n_left == 0 || is_alone, dealii::ExcInternalError());
     run(analysis);
-    check("analysis of the matrix");
   }
 
 
@@ -310,10 +315,13 @@ namespace lumbricus
   std::vector<int>
   Mumps<Number>::planned_positions(const unsigned int n_unknowns)
   {
-    // The first rank knows them.
+    // The first rank knows them. Not all ranks that are told are here: what goes
+    // wrong now will do so again where they are.
     plan(n_unknowns);
     std::vector<int> positions(n_unknowns);
-    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+    std::iota(positions.begin(), positions.end(), 1);
+    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0 &&
+        instance->info(1) >= 0)
       std::copy_n(instance->data.sym_perm, n_unknowns, positions.begin());
     MPI_Bcast(positions.data(), n_unknowns, MPI_INT, 0, comm);
     return positions;
@@ -332,13 +340,13 @@ namespace lumbricus
     if (n_eliminated == 1)
       return every;
 
-    // MUMPS looks at all of them, with minimum degrees, which is good where few
-    // are left, as of a slender body.
+    // MUMPS looks at all of them, but with minimum degrees, which is better only
+    // where few are left, as of a slender body.
     left_unknowns.assign(every.begin() + n_eliminated, every.end());
-    const std::vector<int> by_degree       = planned_positions(n);
-    const double           flops_by_degree = planned_flops();
+    if (double(n_left) * n_left <= most_left_by_degree * n_eliminated)
+      return planned_positions(n);
 
-    // Or at those only that are eliminated, which it dissects.
+    // Or it dissects those that are eliminated, and does not know the others.
     std::vector<int> all_rows, all_columns;
     all_rows.swap(rows);
     all_columns.swap(columns);
@@ -349,15 +357,11 @@ namespace lumbricus
           columns.push_back(all_columns[k]);
         }
     left_unknowns.clear();
-    order = planned_positions(n_eliminated);
+    std::vector<int> positions = planned_positions(n_eliminated);
+    positions.insert(positions.end(), every.begin() + n_eliminated, every.end());
     rows.swap(all_rows);
     columns.swap(all_columns);
-    left_unknowns.assign(every.begin() + n_eliminated, every.end());
-    order.insert(order.end(), left_unknowns.begin(), left_unknowns.end());
-    instance->control(7)   = 1;
-    instance->data.perm_in = order.data();
-    plan(n);
-    return planned_flops() < flops_by_degree ? order : by_degree;
+    return positions;
   }
 
 
@@ -488,13 +492,16 @@ namespace lumbricus
       solve_alone(given_values);
     else
       {
+        // MUMPS does not take null pointers.
         auto &data = instance->data;
         found.resize(std::max(1, data.info[22]));
         found_values.resize(found.size());
+        given.reserve(1);
+        given_values.reserve(1);
         instance->control(20) = 10; // the right-hand side is distributed
         instance->control(21) = 1;  // and so is the solution
         data.nloc_rhs         = given.size();
-        data.lrhs_loc         = given.size();
+        data.lrhs_loc         = std::max<std::size_t>(1, given.size());
         data.irhs_loc         = given.data();
         data.rhs_loc          = given_values.data();
         data.lsol_loc         = found.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "rank_tree.h"
+#include <lumbricus/linear/rank_tree.h>
 
 namespace lumbricus
 {

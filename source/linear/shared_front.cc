@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "shared_front.h"
+#include <lumbricus/linear/shared_front.h>
 
 #include <deal.II/lac/exceptions.h>
 

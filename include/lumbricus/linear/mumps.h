@@ -225,7 +225,7 @@ namespace lumbricus
     planned_positions(const unsigned int n_unknowns);
 
     /** Positions of the cells' unknowns, of which the last @p n_left are not
-     * eliminated, in the better of two orderings. */
+     * eliminated and come last. */
     std::vector<int>
     positions_with_left(const unsigned int n_left);
 
@@ -251,7 +251,7 @@ namespace lumbricus
     const FreeNumbering      &numbering;
     std::unique_ptr<Instance> instance;
     std::size_t               next = 0;
-    std::vector<int>          rows, columns, order;
+    std::vector<int>          rows, columns;
     std::vector<Number>       entries;
 
     // The unknowns that are not eliminated, as MUMPS counts them.

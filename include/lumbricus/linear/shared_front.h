@@ -2,13 +2,13 @@
 #ifndef lumbricus_linear_shared_front_h
 #define lumbricus_linear_shared_front_h
 
+#include <lumbricus/linear/division.h>
+
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
 #include <array>
 #include <vector>
-
-#include "division.h"
 
 namespace lumbricus
 {

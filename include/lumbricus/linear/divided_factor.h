@@ -2,8 +2,11 @@
 #ifndef lumbricus_linear_divided_factor_h
 #define lumbricus_linear_divided_factor_h
 
+#include <lumbricus/linear/division.h>
 #include <lumbricus/linear/free_numbering.h>
 #include <lumbricus/linear/mumps.h>
+#include <lumbricus/linear/rank_tree.h>
+#include <lumbricus/linear/shared_front.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -11,10 +14,6 @@
 #include <memory>
 #include <optional>
 #include <vector>
-
-#include "division.h"
-#include "rank_tree.h"
-#include "shared_front.h"
 
 namespace lumbricus
 {
@@ -37,21 +36,21 @@ namespace lumbricus
   class DividedFactor
   {
   public:
-    /** No dense matrix has more entries than this, per unknown, or than
-     * smallest_bound. */
+    /** No dense matrix has more entries than this, times the number of all
+     * unknowns. */
     static constexpr double most_dense_entries = 500.;
-    /** What a dense matrix may always have. */
-    static constexpr double smallest_bound = 1e6;
 
-    /** For the unknowns in @p numbering, which is kept by reference. The pattern
-     * is that of Mumps::analyse(). Collective, as all functions are but the
+    /** For the unknowns in @p numbering, which is kept by reference, and the
+     * pattern of Mumps::analyse(); with at most @p dense_entries times the number
+     * of unknowns in a dense matrix. Collective, as all functions are but the
      * additions. */
     DividedFactor(const MPI_Comm               comm,
                   const Mumps<float>::Options &options,
                   const CellUnknowns          &unknowns,
                   const unsigned int           n_left_out,
                   const FreeNumbering         &numbering,
-                  const MoreEntries           &more);
+                  const MoreEntries           &more,
+                  const double dense_entries = most_dense_entries);
 
     /** Operations of the factorisation that is planned, on all ranks, without
      * compression. */
@@ -75,8 +74,10 @@ namespace lumbricus
     void
     add(const MoreEntries &more);
 
-    /** Factor the sum. Throws ExcNotConverged for a singular matrix,
-     * ExcSolveFailed when memory ends. */
+    /** Factor the sum. Throws ExcNotConverged for a singular matrix where that is
+     * found (MUMPS, where it leaves unknowns, does not find it always; then what
+     * this is the preconditioner of does not converge), ExcSolveFailed when memory
+     * ends. */
     void
     factor();
 

@@ -4,12 +4,11 @@
 
 #include <lumbricus/linear/free_numbering.h>
 #include <lumbricus/linear/mumps.h>
+#include <lumbricus/linear/rank_tree.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <vector>
-
-#include "rank_tree.h"
 
 namespace lumbricus
 {
