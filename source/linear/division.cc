@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/linear/division.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <set>
 #include <utility>

@@ -3,6 +3,9 @@
 #include <lumbricus/core/out_of_memory.h>
 #include <lumbricus/linear/mumps.h>
 
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/types.h>
+
 #include <dmumps_c.h>
 #include <smumps_c.h>
 
@@ -522,8 +525,9 @@ namespace lumbricus
             is_found_known = true;
           }
         to_given.template export_to_ghosted_array<Number>(
-          dealii::make_array_view(std::as_const(found_values)),
-          dealii::make_array_view(given_values));
+          dealii::ArrayView<const Number>(found_values.data(),
+                                          found_values.size()),
+          dealii::ArrayView<Number>(given_values.data(), given_values.size()));
       }
     std::copy_n(given_values.begin(), values.size(), values.begin());
     std::copy(given_values.begin() + values.size(),

@@ -42,7 +42,9 @@ namespace
                   ++n_parents_of_node[child];
                 }
             }
-        unsigned int n_roots = 0, depth = 0;
+        unsigned int n_roots = 0, depth = 0, least_depth = 0;
+        while ((1u << least_depth) < n)
+          ++least_depth;
         for (unsigned int rank = 0; rank < n; ++rank)
           {
             EXPECT_EQ(n_parents_of_rank[rank], n > 1 ? 1u : 0u);
@@ -55,7 +57,7 @@ namespace
             depth = std::max(depth, levels);
           }
         EXPECT_EQ(n_roots, n > 1 ? 1u : 0u);
-        EXPECT_EQ(depth, static_cast<unsigned int>(std::ceil(std::log2(n))));
+        EXPECT_EQ(depth, least_depth);
       }
   }
 
