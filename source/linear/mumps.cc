@@ -26,10 +26,6 @@ namespace lumbricus
     constexpr int initialise = -1, terminate = -2, analysis = 1, factorise = 2,
                   back_substitute = 3;
 
-    // How many entries what is left may have per unknown that is eliminated,
-    // where these are ordered by their degrees.
-    constexpr double most_left_by_degree = 100.;
-
     const std::string advice =
       "Its manual says what that is. Try another 'Linear solver/Method'.";
 
@@ -343,13 +339,9 @@ namespace lumbricus
     if (n_eliminated == 1)
       return every;
 
-    // MUMPS looks at all of them, but with minimum degrees, which is better only
-    // where few are left, as of a slender body.
-    left_unknowns.assign(every.begin() + n_eliminated, every.end());
-    if (double(n_left) * n_left <= most_left_by_degree * n_eliminated)
-      return planned_positions(n);
-
-    // Or it dissects those that are eliminated, and does not know the others.
+    // With what is left MUMPS orders by minimum degrees: with rounding errors that
+    // cost iterations, and far more operations where much is left. So it dissects
+    // those that are eliminated, and does not know the others.
     std::vector<int> all_rows, all_columns;
     all_rows.swap(rows);
     all_columns.swap(columns);
