@@ -6,16 +6,24 @@ ranks. A method whose costs are proportional to the length of the chain takes th
 time per segment and step for all of them. The wave is eight segments long, so that
 from eight on every chain has segments in each of its phases.
 
-Strong scaling: parameters/block_compression with 16 cells along an edge, and the chain
-of 64 segments, each on one rank and on two."""
+Strong scaling: parameters/block_compression with 16 cells along an edge, the chain
+of 64 segments, and a whole worm of 150 segments and chambers without cells, five waves
+of thirty long, each on one rank and on two.
+
+Messages: what a rank sends in a linear iteration of that worm and of the block, on 2, 4,
+8 and 16 ranks, whatever the number of cores."""
 import argparse
+import os
 import pathlib
 import re
+import subprocess
 import sys
 
 from lumbricus_run import SOURCE, run_well
 
+BUILD = pathlib.Path(os.environ["LUMBRICUS"]).parent
 CHAIN = SOURCE / "parameters" / "peristalsis" / "case.prm"
+WORM = SOURCE / "parameters" / "peristalsis" / "cavities.prm"
 BLOCK = SOURCE / "parameters" / "block_compression" / "case.prm"
 CELLS = (("around a quarter", 4), ("along a segment", 2),
          ("across the liquid", 1))
@@ -51,7 +59,15 @@ def chain(n_segments):
 
 STRONG = {"block": (BLOCK, ["Geometry/block/Cells=16, 16, 16",
                             "Newton/Volume tolerance=1e-9"]),
-          "chain": chain(64)}
+          "chain": chain(64),
+          "worm": (WORM, ["Geometry/segment chain/Number of segments=150",
+                          *(f"Geometry/segment chain/Cells {what}=2" for what in
+                            ("around a quarter", "along a segment",
+                             "across the liquid")),
+                          *(f"Muscles/{muscle}/wave/Wavelength=30" for muscle in
+                            ("circular", "longitudinal", "septal")),
+                          "Time/End=0.2"])}
+RANKS = (2, 4, 8, 16)
 
 
 def seconds(log, part):
@@ -111,20 +127,57 @@ def strong_scaling(names):
                   f"{run['megabytes']} |")
 
 
+def count_messages(name, ranks):
+    """What benchmark_messages prints: lists of numbers by name."""
+    case, settings = STRONG[name]
+    lines = subprocess.run(
+        [os.environ["MPIRUN"], "-np", str(ranks),
+         str(BUILD / "benchmarks" / "scaling" / "benchmark_messages"), str(case),
+         *settings], check=True, capture_output=True, text=True,
+        timeout=TIMEOUT).stdout.splitlines()
+    return {line.split()[0]: [float(number) for number in line.split()[1:]]
+            for line in lines if line}
+
+
+def messages(names):
+    subprocess.run(["cmake", "--build", str(BUILD), "--target",
+                    "benchmark_messages"], check=True, stdout=subprocess.DEVNULL)
+    header("case", "ranks", "messages of a rank, of the one with most",
+           "bytes in them", "collective calls", "bytes in them",
+           "linear iterations")
+    for name in names:
+        for ranks in RANKS:
+            found = count_messages(name, ranks)
+            print(f"| {name} | {ranks} | " + " | ".join(
+                f"{found[what][0]:.1f}, {found[what][1]:.1f}"
+                if what == "messages" else
+                f"{found[what][0]:.0f}, {found[what][1]:.0f}"
+                if what == "bytes" else f"{found[what][0]:.1f}"
+                if what == "collectives" else f"{found[what][0]:.0f}"
+                for what in ("messages", "bytes", "collectives",
+                             "collective_bytes"))
+                + f" | {found['iterations'][1]:.0f} |", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--segments", type=int, nargs="+",
                         help="weak scaling over these chains")
     parser.add_argument("--strong", nargs="*", choices=tuple(STRONG),
-                        help="strong scaling of these cases, or all of them\n"
-                        "(without both options: weak and strong scaling)")
+                        help="strong scaling of these cases, or all of them")
+    parser.add_argument("--messages", nargs="*", choices=tuple(STRONG),
+                        help="messages in these cases, or the block and the worm\n"
+                        "(without any option: weak and strong scaling)")
     options = parser.parse_args()
-    everything = options.segments is None and options.strong is None
+    everything = all(option is None for option in (
+        options.segments, options.strong, options.messages))
     if everything or options.segments:
         weak_scaling(options.segments or SEGMENTS)
     if everything or options.strong is not None:
         strong_scaling(options.strong or STRONG)
+    if options.messages is not None:
+        messages(options.messages or ("block", "worm"))
 
 
 if __name__ == "__main__":

@@ -28,20 +28,19 @@ namespace lumbricus
   void
   CondensedFactor::plan(const MoreEntries &more)
   {
-    const bool is_new = mumps == nullptr || !planned.is_like(more);
+    const bool is_new = factors == nullptr || !planned.is_like(more);
     if (!dealii::Utilities::MPI::logical_or(is_new, comm))
       return;
-    mumps.reset();
-    mumps = std::make_unique<Mumps<float>>(
+    factors.reset();
+    factors = std::make_unique<DividedFactor>(
       comm,
       Mumps<float>::Options{tangent.symmetric,
                             accuracy.pivoting,
                             accuracy.compression},
-      numbering);
-    mumps->analyse(tangent.unknowns,
-                   tangent.unknowns.n_cells(),
-                   n_private,
-                   more);
+      tangent.unknowns,
+      n_private,
+      numbering,
+      more);
     planned = more;
   }
 
@@ -83,7 +82,7 @@ namespace lumbricus
       stiffest = std::max(stiffest, mu);
     stiffest = dealii::Utilities::MPI::max(stiffest, comm);
 
-    mumps->begin();
+    factors->begin();
     for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
       {
         tangent.cell_matrix(i, K);
@@ -126,10 +125,10 @@ namespace lumbricus
               for (unsigned int k = 0; k < n_shared; ++k)
                 S_r[k] -= K_r[z] * row[z * n_shared + k];
           }
-        mumps->add(n_shared, S.data());
+        factors->add(n_shared, S.data());
       }
-    mumps->add(more);
-    mumps->factor();
+    factors->add(more);
+    factors->factor();
   }
 
 
@@ -179,15 +178,11 @@ namespace lumbricus
               reduced.local_element(shared[k]) -= W[k] * r;
           }
       }
-    reduced.compress(dealii::VectorOperation::add);
-    reduced += x;
-
-    numbering.extract(reduced, values);
-    mumps->solve(values, globals);
+    reduced += x; // what is owned; each rank knows a part of what is shared
+    factors->solve(reduced, globals);
     y = x; // in the constrained unknowns
-    numbering.insert(values, y);
-
-    y.update_ghost_values();
+    for (const unsigned int place : numbering.places())
+      y.local_element(place) = reduced.local_element(place);
     for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
       {
         const auto          places   = unknowns.free_unknowns(i);
@@ -198,14 +193,14 @@ namespace lumbricus
             double       sum = 0.;
             const float *W   = couplings[i].data() + z * n_shared;
             for (unsigned int k = 0; k < n_shared; ++k)
-              sum -= W[k] * y.local_element(shared[k]);
+              sum -= W[k] * reduced.local_element(shared[k]);
             for (unsigned int r = 0; r < n_private; ++r)
               sum +=
                 inverses[i][z * n_private + r] * x.local_element(places[r]);
             y.local_element(places[z]) = sum;
           }
       }
-    y.zero_out_ghost_values();
+    reduced.zero_out_ghost_values();
   }
 
 
@@ -213,6 +208,6 @@ namespace lumbricus
   double
   CondensedFactor::cost() const
   {
-    return mumps->factor_cost();
+    return factors->cost();
   }
 } // namespace lumbricus

@@ -4,6 +4,7 @@
 
 #include <lumbricus/discretization/tangent.h>
 #include <lumbricus/linear/approximate_inverse.h>
+#include <lumbricus/linear/divided_factor.h>
 #include <lumbricus/linear/mumps.h>
 
 #include <array>
@@ -80,28 +81,28 @@ namespace lumbricus
     double
     cost() const override;
 
-    /** Operations that MUMPS will need without a border, on all ranks.
+    /** Operations that factors will need without a border, on all ranks.
      * Collective. */
     double
     planned_flops()
     {
       plan({});
-      return mumps->planned_flops();
+      return factors->planned_flops();
     }
 
-    /** Memory that MUMPS will need then, of the rank that needs most [MB].
+    /** Memory that they will need then, of the rank that needs most [MB].
      * Collective. */
     double
     planned_megabytes()
     {
       plan({});
-      return mumps->planned_megabytes();
+      return factors->planned_megabytes();
     }
 
   private:
     static constexpr unsigned int n_private = CellUnknowns::n_private;
 
-    /** Let MUMPS analyse the pattern with @p more, where it has not done so. */
+    /** Analyse the pattern with @p more, where it has not done so. */
     void
     plan(const MoreEntries &more);
 
@@ -114,18 +115,17 @@ namespace lumbricus
     void
     solve(Vector &y, const Vector &x, std::vector<float> &globals) const;
 
-    const Tangent                &tangent;
-    const Accuracy               &accuracy;
-    const MPI_Comm                comm;
-    FreeNumbering                 numbering;
-    std::unique_ptr<Mumps<float>> mumps;
-    MoreEntries                   planned;
+    const Tangent                 &tangent;
+    const Accuracy                &accuracy;
+    const MPI_Comm                 comm;
+    FreeNumbering                  numbering;
+    std::unique_ptr<DividedFactor> factors;
+    MoreEntries                    planned;
     /** Of the border that is factored. */
     std::vector<double> row_scale;
     /** K_zz^(-1) and K_zz^(-1) K_zs of each owned cell, by rows. */
     std::vector<std::array<double, n_private * n_private>> inverses;
     std::vector<std::vector<float>>                        couplings;
-    mutable std::vector<float>                             values;
     mutable Vector                                         reduced;
   };
 } // namespace lumbricus

@@ -83,33 +83,27 @@ namespace lumbricus
     MoreEntries       &entries = rows.entries;
     const unsigned int first   = numbering.size();
     entries.n_unknowns         = n;
-    const auto add             = [&](const unsigned int row,
-                         const unsigned int column,
-                         const double       value) {
-      entries.rows.push_back(row);
-      entries.columns.push_back(column);
-      entries.values.push_back(value);
-    };
     for (unsigned int k = 0; k < n; ++k)
       {
         // Of a symmetric matrix the triangle below the diagonal is enough.
         const auto &row = symmetric ? border.columns[k] : border.rows[k];
         row.for_each([&](const unsigned int place, const double value) {
           if (numbering.is_numbered(place))
-            add(first + k, numbering.number(place), value);
+            entries.own.add(first + k, numbering.number(place), value);
         });
         if (!symmetric)
           border.columns[k].for_each(
             [&](const unsigned int place, const double value) {
               if (numbering.is_numbered(place))
-                add(numbering.number(place), first + k, value);
+                entries.own.add(numbering.number(place), first + k, value);
             });
       }
-    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
-      for (unsigned int k = 0; k < n; ++k)
-        for (unsigned int l = 0; l < (symmetric ? k + 1 : n); ++l)
-          if (k == l || border.corner(k, l) != 0.)
-            add(first + k, first + l, rows.scale[k] * border.corner(k, l));
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int l = 0; l < (symmetric ? k + 1 : n); ++l)
+        if (k == l || border.corner(k, l) != 0.)
+          entries.common.add(first + k,
+                             first + l,
+                             rows.scale[k] * border.corner(k, l));
     return rows;
   }
 } // namespace lumbricus

@@ -3,15 +3,20 @@
 #include <lumbricus/core/out_of_memory.h>
 #include <lumbricus/linear/mumps.h>
 
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/types.h>
+
 #include <dmumps_c.h>
 #include <smumps_c.h>
 
 #include <algorithm>
-#include <numeric>
-#include <utility>
 #include <cstddef>
+#include <cstdlib>
 #include <exception>
+#include <new>
+#include <numeric>
 #include <string>
+#include <utility>
 
 namespace lumbricus
 {
@@ -107,8 +112,11 @@ namespace lumbricus
   template <typename Number>
   Mumps<Number>::Mumps(const MPI_Comm       comm,
                        const Options       &options,
-                       const FreeNumbering &numbering)
+                       const FreeNumbering &numbering,
+                       const MPI_Comm       told)
     : comm(comm)
+    , told(told)
+    , is_alone(dealii::Utilities::MPI::n_mpi_processes(comm) == 1)
     , symmetric(options.symmetric)
     , compressed(options.compression > 0.)
     , numbering(numbering)
@@ -124,7 +132,7 @@ namespace lumbricus
     instance->control(2)  = -1;
     instance->control(3)  = -1;
     instance->control(4)  = 0;
-    instance->control(7)  = 5;  // ordering by Metis
+    instance->control(7)  = 5;  // dissection: Metis where MUMPS has it, or PORD
     instance->control(14) = 40; // percent of memory beyond the estimate
     instance->control(18) = 3;  // the matrix is distributed
     if (!options.pivoting)
@@ -148,8 +156,7 @@ namespace lumbricus
   {
     // To end it takes all ranks, and where memory ends on one, or something
     // else is wrong there, the others are not here.
-    if (std::uncaught_exceptions() > 0 &&
-        dealii::Utilities::MPI::n_mpi_processes(comm) > 1)
+    if (std::uncaught_exceptions() > 0 && !is_alone)
       return;
     instance->data.job = terminate;
     Precision<Number>::call(&instance->data);
@@ -171,40 +178,47 @@ namespace lumbricus
   void
   Mumps<Number>::check(const std::string &what) const
   {
-    const int code = instance->info(1);
+    // The same on all ranks of comm. Other ranks that are told have a MUMPS of
+    // their own, which may be content.
+    const int code = comm == told ?
+                       instance->info(1) :
+                       dealii::Utilities::MPI::min(instance->info(1), told);
     if (code >= 0)
       return;
     AssertThrow(code != -10,
                 ExcNotConverged("The tangent matrix is singular"));
+    const bool is_here = instance->info(1) == code;
+    const int  detail  = dealii::Utilities::MPI::max(
+      is_here ? std::abs(instance->info(2)) : 0, told);
     if (is_one_of(code, out_of_memory))
       {
         // Entries, in millions where there are many; only the rank concerned
         // has the code itself.
-        const double       n = instance->info(2);
-        const double       entries_lacking = n >= 0. ? n : -1e6 * n;
+        const bool in_millions = dealii::Utilities::MPI::logical_or(
+          is_here && instance->info(2) < 0, told);
+        const double       entries_lacking = in_millions ? 1e6 * detail : detail;
         const bool         integers        = code == -7 || code == -8;
         const unsigned int n_ranks =
-          dealii::Utilities::MPI::n_mpi_processes(comm);
+          dealii::Utilities::MPI::n_mpi_processes(told);
         const unsigned int rank = dealii::Utilities::MPI::min(
           instance->data.info[0] == code ?
-            dealii::Utilities::MPI::this_mpi_process(comm) :
+            dealii::Utilities::MPI::this_mpi_process(told) :
             n_ranks,
-          comm);
+          told);
         AssertThrow(false,
                     ExcSolveFailed(
                       out_of_memory_message(
                         entries_lacking *
                           (integers ? sizeof(MUMPS_INT) : sizeof(Number)),
                         rank < n_ranks ? rank : 0,
-                        comm) +
+                        told) +
                       " (In the " + what + " by MUMPS, code " +
                       std::to_string(code) + ".)"));
       }
     AssertThrow(false,
                 ExcSolveFailed("The " + what + " by MUMPS failed with code " +
                                std::to_string(code) + ", " +
-                               std::to_string(instance->info(2)) + ". " +
-                               advice));
+                               std::to_string(detail) + ". " + advice));
   }
 
 
@@ -228,83 +242,151 @@ namespace lumbricus
 
   template <typename Number>
   void
-  Mumps<Number>::analyse(const CellUnknowns &unknowns,
-                         const unsigned int  n_cells,
-                         const unsigned int  n_left_out,
-                         const MoreEntries  &more)
+  Mumps<Number>::analyse(const CellUnknowns              &unknowns,
+                         const unsigned int               n_cells,
+                         const unsigned int               n_left_out,
+                         const MoreEntries               &more,
+                         const std::vector<unsigned int> &not_eliminated)
   {
+    const bool is_first = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
     for (unsigned int i = 0; i < n_cells; ++i)
       {
         const auto places = unknowns.free_unknowns(i);
         add_pattern(places.data() + n_left_out, places.size() - n_left_out);
       }
     std::vector<int> order;
-    if (more.n_unknowns > 0)
+    if (more.n_unknowns > 0 || !not_eliminated.empty())
       {
-        plan(0);
-        order = order_with(more);
-        for (unsigned int k = 0; k < more.rows.size(); ++k)
-          {
-            rows.push_back(more.rows[k] + 1);
-            columns.push_back(more.columns[k] + 1);
-          }
+        order                  = order_with(more, not_eliminated);
         instance->control(7)   = 1; // the ordering is given
         instance->data.perm_in = order.data();
       }
+    left_unknowns.clear();
+    for (const unsigned int number : not_eliminated)
+      left_unknowns.push_back(number + 1);
+    for (const MatrixEntries *entries : {&more.own, &more.common})
+      if (entries == &more.own || is_first)
+        for (unsigned int k = 0; k < entries->rows.size(); ++k)
+          {
+            rows.push_back(entries->rows[k] + 1);
+            columns.push_back(entries->columns[k] + 1);
+          }
 
-    counts =
-      dealii::Utilities::MPI::all_gather(comm,
-                                         static_cast<int>(numbering.n_owned()));
-    offsets = counts;
-    for (unsigned int r = 0, sum = 0; r < counts.size(); ++r)
-      {
-        offsets[r] = sum;
-        sum += counts[r];
-      }
-    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
-      centralised.resize(numbering.size() + more.n_unknowns);
-    plan(more.n_unknowns);
-  }
-
-
-
-  template <typename Number>
-  void
-  Mumps<Number>::plan(const unsigned int n_more)
-  {
-    entries.resize(rows.size());
-    auto &data   = instance->data;
-    data.n       = numbering.size() + n_more;
-    data.nnz_loc = rows.size();
-    data.irn_loc = rows.data();
-    data.jcn_loc = columns.data();
-    data.a_loc   = entries.data();
-    run(analysis);
+    // MUMPS counts from one.
+    const unsigned int n_given = numbering.n_owned();
+    unsigned int       first   = 0;
+    MPI_Exscan(&n_given, &first, 1, MPI_UNSIGNED, MPI_SUM, comm);
+    given.resize(n_given + (is_first ? more.n_unknowns : 0));
+    std::iota(given.begin(), given.begin() + n_given, first + 1);
+    std::iota(given.begin() + n_given, given.end(), numbering.size() + 1);
+    plan(numbering.size() + more.n_unknowns);
     check("analysis of the matrix");
   }
 
 
 
   template <typename Number>
-  std::vector<int>
-  Mumps<Number>::order_with(const MoreEntries &more) const
+  void
+  Mumps<Number>::plan(const unsigned int n_unknowns)
   {
-    // Where they come among the others, which the first rank knows.
+    entries.resize(rows.size());
+    auto &data   = instance->data;
+    data.n       = n_unknowns;
+    data.nnz_loc = rows.size();
+    data.irn_loc = rows.data();
+    data.jcn_loc = columns.data();
+    data.a_loc   = entries.data();
+    const std::size_t n_left = left_unknowns.size();
+    left.resize(n_left * n_left);
+    // What is left is given back by rows.
+    instance->control(19) = n_left > 0 ? 1 : 0;
+    data.size_schur       = n_left;
+    data.listvar_schur    = left_unknowns.data();
+    data.schur            = left.data();
+    data.lredrhs          = n_left;
+    Assert(n_left == 0 || is_alone, dealii::ExcInternalError());
+    run(analysis);
+  }
+
+
+
+  template <typename Number>
+  std::vector<int>
+  Mumps<Number>::planned_positions(const unsigned int n_unknowns)
+  {
+    // The first rank knows them. Not all ranks that are told are here: what goes
+    // wrong now will do so again where they are.
+    plan(n_unknowns);
+    std::vector<int> positions(n_unknowns);
+    std::iota(positions.begin(), positions.end(), 1);
+    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0 &&
+        instance->info(1) >= 0)
+      std::copy_n(instance->data.sym_perm, n_unknowns, positions.begin());
+    MPI_Bcast(positions.data(), n_unknowns, MPI_INT, 0, comm);
+    return positions;
+  }
+
+
+
+  template <typename Number>
+  std::vector<int>
+  Mumps<Number>::positions_with_left(const unsigned int n_left)
+  {
+    const unsigned int n            = numbering.size();
+    const unsigned int n_eliminated = n - n_left;
+    std::vector<int>   every(n);
+    std::iota(every.begin(), every.end(), 1);
+    if (n_eliminated == 1)
+      return every;
+
+    // With what is left MUMPS orders by minimum degrees: with rounding errors that
+    // cost iterations, and far more operations where much is left. So it dissects
+    // those that are eliminated, and does not know the others.
+    std::vector<int> all_rows, all_columns;
+    all_rows.swap(rows);
+    all_columns.swap(columns);
+    for (std::size_t k = 0; k < all_rows.size(); ++k)
+      if (std::max(all_rows[k], all_columns[k]) <= int(n_eliminated))
+        {
+          rows.push_back(all_rows[k]);
+          columns.push_back(all_columns[k]);
+        }
+    left_unknowns.clear();
+    std::vector<int> positions = planned_positions(n_eliminated);
+    positions.insert(positions.end(), every.begin() + n_eliminated, every.end());
+    rows.swap(all_rows);
+    columns.swap(all_columns);
+    return positions;
+  }
+
+
+
+  template <typename Number>
+  std::vector<int>
+  Mumps<Number>::order_with(const MoreEntries               &more,
+                            const std::vector<unsigned int> &not_eliminated)
+  {
     const unsigned int n = numbering.size();
-    std::vector<int>   positions(n);
-    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
-      std::copy(instance->data.sym_perm,
-                instance->data.sym_perm + n,
-                positions.begin());
-    MPI_Bcast(positions.data(), n, MPI_INT, 0, comm);
+    const unsigned int n_left_of_cells =
+      std::count_if(not_eliminated.begin(),
+                    not_eliminated.end(),
+                    [n](const unsigned int number) { return number < n; });
+    std::vector<int> positions = n_left_of_cells > 0 ?
+                                   positions_with_left(n_left_of_cells) :
+                                   planned_positions(n);
+
+    // Where the others come among them.
     std::vector<int> last(more.n_unknowns, 0);
-    for (unsigned int k = 0; k < more.rows.size(); ++k)
+    for (unsigned int k = 0; k < more.own.rows.size(); ++k)
       for (const auto &[global, other] :
-           {std::make_pair(more.rows[k], more.columns[k]),
-            std::make_pair(more.columns[k], more.rows[k])})
+           {std::make_pair(more.own.rows[k], more.own.columns[k]),
+            std::make_pair(more.own.columns[k], more.own.rows[k])})
         if (global >= n && other < n)
           last[global - n] = std::max(last[global - n], positions[other]);
     dealii::Utilities::MPI::max(last, comm, last);
+    for (const unsigned int number : not_eliminated)
+      if (number >= n)
+        last[number - n] = n;
 
     // Each goes behind the last one that it hangs together with.
     std::vector<int> shift(n + 2, 0);
@@ -365,9 +447,12 @@ namespace lumbricus
   void
   Mumps<Number>::add(const MoreEntries &more)
   {
-    AssertDimension(next + more.values.size(), entries.size());
-    for (const double value : more.values)
+    for (const double value : more.own.values)
       entries[next++] = static_cast<Number>(value);
+    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+      for (const double value : more.common.values)
+        entries[next++] = static_cast<Number>(value);
+    AssertDimension(next, entries.size());
   }
 
 
@@ -386,6 +471,7 @@ namespace lumbricus
         instance->control(14) *= 2;
       }
     check("factorisation");
+    is_found_known = false;
   }
 
 
@@ -394,33 +480,108 @@ namespace lumbricus
   void
   Mumps<Number>::solve(std::vector<Number> &values, std::vector<Number> &more)
   {
-    // The right-hand side and the solution are whole on rank 0.
-    const MPI_Datatype type = Precision<Number>::mpi();
-    const int          n    = values.size();
-    MPI_Gatherv(values.data(),
-                n,
-                type,
-                centralised.data(),
-                counts.data(),
-                offsets.data(),
-                type,
-                0,
-                comm);
-    const auto after_all = centralised.end() - more.size();
-    std::copy(more.begin(), more.end(), after_all);
-    instance->data.rhs = centralised.data();
+    given_values = values;
+    given_values.insert(given_values.end(), more.begin(), more.end());
+    AssertDimension(given_values.size(), given.size());
+    if (is_alone)
+      solve_alone(given_values);
+    else
+      {
+        // MUMPS does not take null pointers.
+        auto &data = instance->data;
+        found.resize(std::max(1, data.info[22]));
+        found_values.resize(found.size());
+        given.reserve(1);
+        given_values.reserve(1);
+        instance->control(20) = 10; // the right-hand side is distributed
+        instance->control(21) = 1;  // and so is the solution
+        data.nloc_rhs         = given.size();
+        data.lrhs_loc         = std::max<std::size_t>(1, given.size());
+        data.irhs_loc         = given.data();
+        data.rhs_loc          = given_values.data();
+        data.lsol_loc         = found.size();
+        data.isol_loc         = found.data();
+        data.sol_loc          = found_values.data();
+        run(back_substitute);
+        check("back substitution");
+        found_values.resize(data.info[22]);
+        if (!is_found_known)
+          {
+            using Indices = std::vector<dealii::types::global_dof_index>;
+            Indices at(found.begin(), found.begin() + found_values.size());
+            Indices wanted(given.begin(), given.end());
+            for (Indices *indices : {&at, &wanted})
+              for (auto &index : *indices)
+                --index;
+            to_given.reinit(at, wanted, comm);
+            is_found_known = true;
+          }
+        to_given.template export_to_ghosted_array<Number>(
+          dealii::ArrayView<const Number>(found_values.data(),
+                                          found_values.size()),
+          dealii::ArrayView<Number>(given_values.data(), given_values.size()));
+      }
+    std::copy_n(given_values.begin(), values.size(), values.begin());
+    std::copy(given_values.begin() + values.size(),
+              given_values.end(),
+              more.begin());
+  }
+
+
+
+  template <typename Number>
+  void
+  Mumps<Number>::solve_alone(std::vector<Number> &values)
+  {
+    instance->data.rhs = values.data();
     run(back_substitute);
-    check("back substitution");
-    std::copy(after_all, centralised.end(), more.begin());
-    MPI_Scatterv(centralised.data(),
-                 counts.data(),
-                 offsets.data(),
-                 type,
-                 values.data(),
-                 n,
-                 type,
-                 0,
-                 comm);
+    if (comm == told)
+      check("back substitution");
+    else
+      {
+        // To ask the others every time would take longer than to end them.
+        const int code = instance->info(1);
+        if (is_one_of(code, out_of_memory))
+          throw std::bad_alloc();
+        AssertThrow(code >= 0,
+                    dealii::ExcMessage("The back substitution by MUMPS on a rank "
+                                       "failed with code " +
+                                       std::to_string(code) + "."));
+      }
+  }
+
+
+
+  template <typename Number>
+  void
+  Mumps<Number>::reduce(std::vector<Number> &all, std::vector<Number> &of_left)
+  {
+    if (left_unknowns.empty())
+      return;
+    reduced.resize(left_unknowns.size());
+    for (const int unknown : left_unknowns)
+      all[unknown - 1] = 0.;
+    instance->data.redrhs = reduced.data();
+    instance->control(26) = 1;
+    solve_alone(all);
+    for (unsigned int k = 0; k < reduced.size(); ++k)
+      of_left[k] += reduced[k];
+  }
+
+
+
+  template <typename Number>
+  void
+  Mumps<Number>::expand(const std::vector<Number> &of_left,
+                        std::vector<Number>       &all)
+  {
+    if (!left_unknowns.empty())
+      {
+        reduced               = of_left;
+        instance->data.redrhs = reduced.data();
+        instance->control(26) = 2;
+      }
+    solve_alone(all);
   }
 
 
@@ -447,12 +608,12 @@ namespace lumbricus
 
   template <typename Number>
   double
-  Mumps<Number>::factor_cost() const
+  Mumps<Number>::cost(const double flops, const double n_entries)
   {
     // A factorisation is arithmetic and some overhead, a back substitution
     // reads the factors twice: fitted to what both took on meshes of 17,000 to
     // 124,000 unknowns.
-    return 17. + factor_flops() / (200. * factor_entries());
+    return 17. + flops / (200. * n_entries);
   }
 
 

@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace lumbricus
@@ -27,6 +28,17 @@ namespace lumbricus
     {
       reinit(unknowns, with_private, comm);
     }
+
+    /** One for a part of a matrix: the unknown at a place of a vector has the
+     * number @p number_at, and what belongs to the rank first is at
+     * @p owned_places, in ascending order; there are @p n numbers. */
+    FreeNumbering(std::vector<unsigned int> number_at,
+                  std::vector<unsigned int> owned_places,
+                  const unsigned int        n)
+      : number_at(std::move(number_at))
+      , owned_places(std::move(owned_places))
+      , n(n)
+    {}
 
     /** Anew when the constraints are new. Collective. */
     void
@@ -69,7 +81,15 @@ namespace lumbricus
         x.local_element(owned_places[k]) = values[k];
     }
 
-    /** How many unknowns with a number this rank owns. */
+    /** The places of the unknowns with a number that this rank owns, in their
+     * order. */
+    const std::vector<unsigned int> &
+    places() const
+    {
+      return owned_places;
+    }
+
+    /** How many of them there are. */
     unsigned int
     n_owned() const
     {

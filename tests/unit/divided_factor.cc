@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A factorisation in which each rank eliminates what is inside of its part gives
+// what one Mumps on all ranks gives in double precision: of symmetric matrices and
+// others, with unknowns that no cell has on one rank and on several of them, on
+// ranks that have nothing inside or no cells at all, and where ranks share too
+// much.
+#include <lumbricus/core/exceptions.h>
+#include <lumbricus/linear/divided_factor.h>
+#include <lumbricus/linear/rank_tree.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "specimen.h"
+
+using namespace lumbricus;
+
+namespace
+{
+  TEST(RankTrees, HaveEveryRankOnce)
+  {
+    for (unsigned int n = 1; n < 40; ++n)
+      {
+        const RankTree            tree(n);
+        std::vector<unsigned int> n_parents_of_rank(n, 0), n_parents_of_node(n, 0);
+        for (unsigned int node = 1; node < n; ++node)
+          for (const unsigned int child : tree.children(node))
+            {
+              ASSERT_LT(child, n);
+              if (tree.parent_of_rank(child) == node)
+                ++n_parents_of_rank[child];
+              else
+                {
+                  EXPECT_EQ(tree.parent_of_node(child), node);
+                  ++n_parents_of_node[child];
+                }
+            }
+        unsigned int n_roots = 0, depth = 0, least_depth = 0;
+        while ((1u << least_depth) < n)
+          ++least_depth;
+        for (unsigned int rank = 0; rank < n; ++rank)
+          {
+            EXPECT_EQ(n_parents_of_rank[rank], n > 1 ? 1u : 0u);
+            n_roots += rank > 0 && n_parents_of_node[rank] == 0;
+            unsigned int levels = 0;
+            for (unsigned int node = tree.parent_of_rank(rank);
+                 node != RankTree::none;
+                 node = tree.parent_of_node(node))
+              ++levels;
+            depth = std::max(depth, levels);
+          }
+        EXPECT_EQ(n_roots, n > 1 ? 1u : 0u);
+        EXPECT_EQ(depth, least_depth);
+      }
+  }
+
+
+
+  TEST(RankTrees, KnowTheLowestNodeAboveSomeRanks)
+  {
+    constexpr unsigned int n = 13;
+    const RankTree         tree(n);
+    const auto             above = [&](const unsigned int rank) {
+      std::vector<unsigned int> nodes;
+      for (unsigned int node = tree.parent_of_rank(rank); node != RankTree::none;
+           node              = tree.parent_of_node(node))
+        nodes.push_back(node);
+      return nodes;
+    };
+    for (unsigned int first = 0; first < n; ++first)
+      {
+        EXPECT_EQ(tree.lowest_node(first, first), RankTree::none);
+        for (unsigned int last = first + 1; last < n; ++last)
+          {
+            const auto of_last = above(last);
+            for (const unsigned int node : above(first))
+              if (std::find(of_last.begin(), of_last.end(), node) !=
+                  of_last.end())
+                {
+                  EXPECT_EQ(tree.lowest_node(first, last), node);
+                  break;
+                }
+          }
+      }
+  }
+
+
+
+  /** A body, and whether the matrix is symmetric. */
+  struct Kind
+  {
+    const char *name;
+    std::string body;
+    bool        symmetric;
+  };
+
+  // Held, its sides and one end do not move.
+  std::string
+  block_of(const std::string &cells, const bool is_held)
+  {
+    std::string text = "subsection Geometry\n set Shape = block\n"
+                       " subsection block\n  set Cells = " +
+                       cells + "\n end\nend\n";
+    if (is_held)
+      {
+        text += "subsection Boundary conditions\n set Names = a, b, c, d, e\n";
+        for (const std::string name_and_face :
+             {"ax max", "by min", "cy max", "dz min", "ez max"})
+          text += " subsection " + name_and_face.substr(0, 1) +
+                  "\n  set Boundary = " + name_and_face.substr(1) +
+                  "\n  set Type = displacement\n end\n";
+        text += "end\n";
+      }
+    return text;
+  }
+
+  class DividedFactors : public Specimen, public ::testing::TestWithParam<Kind>
+  {
+  public:
+    static constexpr unsigned int n_private = CellUnknowns::n_private;
+    static constexpr unsigned int n_more    = 5;
+
+    DividedFactors()
+      : Specimen(GetParam().body)
+      , unknowns(model->assembler.tangent().unknowns)
+      , numbering(unknowns, false, comm)
+      , symmetric(GetParam().symmetric)
+    {}
+
+    // A matrix of a cell with a large diagonal, by its unknowns' numbers.
+    std::vector<double>
+    matrix(const unsigned int i) const
+    {
+      const auto          places = unknowns.free_unknowns(i);
+      const unsigned int  n      = places.size() - n_private;
+      std::vector<double> M(n * n);
+      for (unsigned int r = 0; r < n; ++r)
+        for (unsigned int s = 0; s < n; ++s)
+          {
+            const double a = numbering.number(places[n_private + r]);
+            const double b = numbering.number(places[n_private + s]);
+            M[r * n + s]   = std::sin(1. + .37 * (a + b)) + (r == s ? 200. : 0.);
+            if (!symmetric)
+              M[r * n + s] += std::sin(a - 2. * b);
+          }
+      return M;
+    }
+
+    // Unknowns that no cell has: one that hangs together with all others, two
+    // with few at either end, one with these two, and one with nothing.
+    MoreEntries
+    border() const
+    {
+      const unsigned int size = numbering.size();
+      MoreEntries        more;
+      more.n_unknowns = n_more;
+      for (const unsigned int place : numbering.places())
+        {
+          const unsigned int number = numbering.number(place);
+          const auto         add    = [&](const unsigned int k) {
+            more.own.add(size + k, number, std::sin(3. + k + number));
+            if (!symmetric)
+              more.own.add(number, size + k, std::cos(3. + k + number));
+          };
+          add(0);
+          if (number < 4)
+            add(1);
+          if (number + 4 >= size)
+            add(2);
+        }
+      for (unsigned int k = 0; k < n_more; ++k)
+        more.common.add(size + k, size + k, -20. - k);
+      for (const auto &[k, l] : {std::make_pair(2u, 1u),
+                                 std::make_pair(3u, 1u),
+                                 std::make_pair(3u, 2u)})
+        {
+          more.common.add(size + k, size + l, 1. + k);
+          if (!symmetric)
+            more.common.add(size + l, size + k, 2. + l);
+        }
+      return more;
+    }
+
+    template <typename Factor>
+    void
+    factor(Factor &factors, const MoreEntries &more) const
+    {
+      factors.begin();
+      for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
+        factors.add(unknowns.free_unknowns(i).size() - n_private,
+                    matrix(i).data());
+      factors.add(more);
+      factors.factor();
+    }
+
+    void
+    compare(const MoreEntries &more,
+            const double dense_entries = DividedFactor::most_dense_entries)
+    {
+      // Of the right-hand side every cell knows a part.
+      Vector x, b;
+      unknowns.reinit_vector(x);
+      unknowns.reinit_vector(b);
+      for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
+        {
+          const auto places = unknowns.free_unknowns(i);
+          for (unsigned int k = n_private; k < places.size(); ++k)
+            x.local_element(places[k]) +=
+              std::sin(1. + 12.9898 * numbering.number(places[k]));
+        }
+      b = 0.;
+      for (unsigned int k = 0; k < b.get_partitioner()->locally_owned_size() +
+                                     b.get_partitioner()->n_ghost_indices();
+           ++k)
+        b.local_element(k) = x.local_element(k);
+      b.compress(dealii::VectorOperation::add);
+      std::vector<double> values, of_more;
+      if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+        for (unsigned int k = 0; k < more.n_unknowns; ++k)
+          of_more.push_back(1. + k);
+      std::vector<float> of_more_divided(of_more.begin(), of_more.end());
+      numbering.extract(b, values);
+
+      Mumps<double> mumps(comm, {symmetric, true, 0.}, numbering);
+      mumps.analyse(unknowns, unknowns.n_cells(), n_private, more);
+      factor(mumps, more);
+      mumps.solve(values, of_more);
+
+      DividedFactor divided(comm,
+                            {symmetric, false, 0.},
+                            unknowns,
+                            n_private,
+                            numbering,
+                            more,
+                            dense_entries);
+      factor(divided, more);
+      divided.solve(x, of_more_divided);
+      EXPECT_GT(divided.cost(), 0.);
+      EXPECT_GT(divided.planned_flops(), 0.);
+
+      double largest = 0.;
+      for (const double value : values)
+        largest = std::max(largest, std::abs(value));
+      largest = dealii::Utilities::MPI::max(largest, comm);
+      ASSERT_GT(largest, 0.);
+      // Cells find the solution where they are, on any rank.
+      b = 0.;
+      numbering.insert(values, b);
+      b.update_ghost_values();
+      for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
+        {
+          const auto places = unknowns.free_unknowns(i);
+          for (unsigned int k = n_private; k < places.size(); ++k)
+            ASSERT_NEAR(x.local_element(places[k]),
+                        b.local_element(places[k]),
+                        1e-5 * largest);
+        }
+      for (unsigned int k = 0; k < of_more.size(); ++k)
+        EXPECT_NEAR(of_more_divided[k], of_more[k], 1e-5 * (1. + largest)) << k;
+    }
+
+    const CellUnknowns &unknowns;
+    const FreeNumbering numbering;
+    const bool          symmetric;
+  };
+
+  INSTANTIATE_TEST_SUITE_P(
+    Bodies,
+    DividedFactors,
+    ::testing::Values(Kind{"symmetric", block_of("5, 2, 1", false), true},
+                      Kind{"general", block_of("5, 2, 1", false), false},
+                      Kind{"alone", block_of("1, 1, 1", false), true},
+                      Kind{"nothing inside", block_of("2, 1, 1", true), true},
+                      Kind{"nothing inside, general",
+                           block_of("2, 1, 1", true),
+                           false}));
+
+
+
+  TEST_P(DividedFactors, AreWhatOneMumpsIs)
+  {
+    compare({});
+  }
+
+
+
+  TEST_P(DividedFactors, HaveUnknownsThatNoCellHas)
+  {
+    compare(border());
+  }
+
+
+
+  TEST_P(DividedFactors, AreNotDividedWhereRanksShareTooMuch)
+  {
+    compare(border(), 0.);
+  }
+
+
+
+  // What the rank at the root of the tree finds all of them say.
+  TEST_P(DividedFactors, SayThatAMatrixIsSingular)
+  {
+    MoreEntries more = border();
+    for (MatrixEntries *entries : {&more.own, &more.common})
+      for (unsigned int e = 0; e < entries->rows.size(); ++e)
+        if (entries->rows[e] == numbering.size() ||
+            entries->columns[e] == numbering.size())
+          entries->values[e] = 0.;
+    DividedFactor factors(comm,
+                          {symmetric, false, 0.},
+                          unknowns,
+                          n_private,
+                          numbering,
+                          more);
+    EXPECT_THROW(factor(factors, more), ExcNotConverged);
+  }
+} // namespace
