@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The activations: closed values, smoothness and travel of the wave.
-#include <lumbricus/activation/activation.h>
-#include <lumbricus/geometry/geometry.h>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "activation_in_chain.h"
 #include "read_plugin.h"
 #include "sample_point.h"
 
@@ -21,16 +19,6 @@ namespace
                                 "set Wavelength = 5\n"
                                 "set Period = 2\n"
                                 "set Duty = 0.4\n";
-
-  std::unique_ptr<Activation>
-  activation(const std::string &name, const std::string &text)
-  {
-    auto result = read_plugin<Activation>(name, text);
-    const auto chain =
-      read_plugin<Geometry>("segment chain", "set Number of segments = 10");
-    result->initialize("Muscles/longitudinal/" + name, *chain);
-    return result;
-  }
 } // namespace
 
 

@@ -3,7 +3,6 @@
 // shorter than a step was stepped over in silence, and where an active stretch
 // jumped "take a smaller step" could not help. What steps must not miss, where a
 // datum jumps, and the data on the way over a jump.
-#include <lumbricus/activation/activation.h>
 #include <lumbricus/continuation/load_curves.h>
 #include <lumbricus/continuation/load_stepping.h>
 
@@ -14,7 +13,7 @@
 
 #include <cmath>
 
-#include "read_plugin.h"
+#include "activation_in_chain.h"
 #include "sample_point.h"
 #include "specimen.h"
 
@@ -48,8 +47,7 @@ namespace
   std::vector<LoadCurve>
   wave_curves(const std::string &text, const unsigned int n_segments)
   {
-    const std::shared_ptr<Activation> wave = read_plugin<Activation>("wave",
-                                                                     text);
+    const std::shared_ptr<Activation> wave = activation("wave", text, n_segments);
     std::vector<LoadCurve> curves;
     for (unsigned int s = 1; s <= n_segments; ++s)
       {
@@ -127,7 +125,7 @@ TEST(LoadTime, GoesFromOneTimeToAnother)
 
 TEST(Marks, OfAWave)
 {
-  const auto wave = read_plugin<Activation>("wave",
+  const auto wave = activation("wave",
                                             "set Amplitude = 0.3\n"
                                             "set Wavelength = 5\n"
                                             "set Period = 2\n"
@@ -147,7 +145,7 @@ TEST(Marks, OfAWave)
   EXPECT_EQ(wave->marks(3, marks[0], marks[2]).size(), 1u);
   EXPECT_LE(wave->marks(3, 0., 1e9).size(), 300u);
 
-  const auto to_head = read_plugin<Activation>(
+  const auto to_head = activation(
     "wave", "set Direction = towards head\nset Ramp-in = 0\nset Duty = 0.2");
   EXPECT_NEAR(to_head->marks(3, 0., 1.)[0], 0.5, 1e-14);
   EXPECT_NEAR(to_head->marks(3, 0., 1.)[1], 0.6, 1e-14);
