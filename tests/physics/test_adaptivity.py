@@ -5,7 +5,7 @@ import pathlib
 
 import pytest
 from lumbricus_run import SOURCE, run_well
-from test_invariance import equal
+from test_invariance import TO_THE_END, equal
 
 HERE = pathlib.Path(__file__).parent
 # The main job in small, to a quarter of the wave.
@@ -43,7 +43,8 @@ def nothing_is_lost(run):
 
 
 def test_two_adaptations_in_a_wave_on_one_and_two_ranks(tmp_path):
-    runs = [run_well(PERISTALSIS, tmp_path / str(ranks), TWICE, ranks)
+    runs = [run_well(PERISTALSIS, tmp_path / str(ranks), TWICE + TO_THE_END,
+                     ranks)
             for ranks in (1, 2)]
     for run in runs:
         rows = nothing_is_lost(run)
