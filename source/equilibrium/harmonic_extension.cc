@@ -11,33 +11,14 @@
 #include <algorithm>
 #include <array>
 
+#include "cell_laplacian.h"
+
 namespace lumbricus
 {
   namespace
   {
     using cell_sizes::n_nodes;
     using cell_sizes::n_per_cell;
-
-    // int grad N_m . grad N_n dV of a cell.
-    using Stiffness = std::array<std::array<double, n_nodes>, n_nodes>;
-
-    Stiffness
-    stiffness(const ShapeCache::Cell &cell)
-    {
-      Stiffness K = {};
-      for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
-        for (unsigned int J = 0; J < dim; ++J)
-          {
-            const double *g =
-              cell.gradients + (dim * q + J) * ShapeCache::padded_nodes;
-            for (unsigned int m = 0; m < n_nodes; ++m)
-              for (unsigned int n = 0; n < n_nodes; ++n)
-                K[m][n] += g[m] * g[n] * cell.JxW[q];
-          }
-      return K;
-    }
-
-
 
     // The Laplacian of the displacement inside the liquid, cell by cell; all
     // other unknowns have the rows of the identity.
@@ -56,7 +37,7 @@ namespace lumbricus
                const ShapeCache::Cell  &cell,
                const std::vector<bool> &is_held)
       {
-        cells.push_back({i, stiffness(cell)});
+        cells.push_back({i, CellLaplacian(cell)});
         for (unsigned int n = 0; n < n_nodes; ++n)
           for (unsigned int c = 0; c < dim; ++c)
             for (const auto &[place, weight] :
@@ -88,12 +69,7 @@ namespace lumbricus
         for (const Cell &cell : cells)
           {
             read_cell(cell.index, x_cell);
-            std::fill(y_cell, y_cell + n_per_cell, 0.);
-            for (unsigned int m = 0; m < n_nodes; ++m)
-              for (unsigned int n = 0; n < n_nodes; ++n)
-                for (unsigned int c = 0; c < dim; ++c)
-                  y_cell[CellUnknowns::displacement(c, m)] +=
-                    cell.K[m][n] * x_cell[CellUnknowns::displacement(c, n)];
+            cell.K.vmult(x_cell, y_cell);
             unknowns.add(cell.index, y_cell, y);
           }
         y.compress(dealii::VectorOperation::add);
@@ -124,7 +100,7 @@ namespace lumbricus
             for (unsigned int c = 0; c < dim; ++c)
               for (const auto &[place, weight] :
                    unknowns.row(cell.index, CellUnknowns::displacement(c, n)))
-                diagonal.begin()[place] += weight * weight * cell.K[n][n];
+                diagonal.begin()[place] += weight * weight * cell.K.diagonal(n);
         diagonal.compress(dealii::VectorOperation::add);
         for (unsigned int k = 0; k < diagonal.locally_owned_size(); ++k)
           diagonal.local_element(k) = is_inside.local_element(k) > 0. ?
@@ -136,8 +112,8 @@ namespace lumbricus
     private:
       struct Cell
       {
-        unsigned int index;
-        Stiffness    K;
+        unsigned int  index;
+        CellLaplacian K;
       };
 
       static constexpr double n_cells_at_most = 1e6;

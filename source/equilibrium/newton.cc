@@ -112,18 +112,30 @@ namespace lumbricus
     // deserves (Eisenstat and Walker 1996, choice 2). The last one is, so that
     // the solution is better than the tolerances ask for: where tissues are
     // soft a small residual does not make a small error.
+    static const double first = getenv("FIRST") ? atof(getenv("FIRST")) : 0.02;
+    static const double margin = getenv("ENOUGH") ? atof(getenv("ENOUGH")) : 1e-3;
     constexpr double most = 3e-3, order = 1.6;
     const double     accurate = std::min(most, 10. * increment_tolerance);
     const double     deserved =
       last_merit > 0. ?
             std::min(most, std::pow(residual.merit() / last_merit, order)) :
             most;
-    constexpr double perhaps = 1e3;
+    static const double perhaps = getenv("PERHAPS") ? atof(getenv("PERHAPS")) : 1.;
+    const auto part_of = [](const double least, const double value) {
+      return value > least ? least / value : 1.;
+    };
+    const double enough =
+      std::min(most,
+               margin * std::min({part_of(least_force(residual), residual.force),
+                                  part_of(least_volume(residual), residual.volume),
+                                  part_of(least_border(residual), residual.border)}));
+    if (last_merit == 0.)
+      return std::max(first, enough);
     const bool last =
       deserved * residual.force <= perhaps * least_force(residual) &&
       deserved * residual.volume <= perhaps * least_volume(residual) &&
       deserved * residual.border <= perhaps * least_border(residual);
-    return last ? accurate : std::max(accurate, deserved);
+    return std::max({accurate, enough, last ? 0. : deserved});
   }
 
 

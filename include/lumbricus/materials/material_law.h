@@ -23,6 +23,9 @@ namespace lumbricus
    *   Q = d2 psi / dF dp,     which is dP/dp = dc/dF,
    *
    *   dc_dp = d2 psi / dp2.
+   *
+   * A liquid that flows has no shear stress (flowing_response()). Its A has a
+   * small shear stiffness nevertheless, and a preconditioner more of it.
    */
   struct MaterialResponse
   {
@@ -31,6 +34,8 @@ namespace lumbricus
     double                 c;     ///< violated volume constraint
     double                 dc_dp; ///< [mm^2/N]
     double                 A[dim * dim][dim * dim]; ///< [N/mm^2]
+    /** The shear modulus that A lacks for a preconditioner [N/mm^2]. */
+    double mu_missing = 0.;
   };
 
 
