@@ -12,6 +12,7 @@
 #include <array>
 
 #include "cell_laplacian.h"
+#include "enclosed_liquid.h"
 
 namespace lumbricus
 {
@@ -132,17 +133,11 @@ namespace lumbricus
       const MixedSpace &space      = body.space;
       const Anatomy    &anatomy    = body.anatomy;
       const auto       &cell       = owned_cell.iterator;
-      const auto        planes     = anatomy.geometry().symmetry_planes();
       const auto        is_surface = [&](const unsigned int f) {
-        if (!cell->face(f)->at_boundary())
-          return !anatomy.is_liquid(
-            Region::of(cell->neighbor(f)->material_id()).tissue);
-        return std::none_of(planes.begin(),
-                            planes.end(),
-                            [&](const auto &plane) {
-                              return plane.boundary ==
-                                     cell->face(f)->boundary_id();
-                            });
+        return cell->face(f)->at_boundary() ?
+                 is_outside(body, cell, f) :
+                 !anatomy.is_liquid(
+                   Region::of(cell->neighbor(f)->material_id()).tissue);
       };
       std::vector<bool> on_surface(n_nodes, false);
       for (const unsigned int f : cell->face_indices())

@@ -109,33 +109,28 @@ namespace lumbricus
                            const double                      last_merit) const
   {
     // No linear system is solved more accurately than the linearisation
-    // deserves (Eisenstat and Walker 1996, choice 2). The last one is, so that
-    // the solution is better than the tolerances ask for: where tissues are
-    // soft a small residual does not make a small error.
-    static const double first = getenv("FIRST") ? atof(getenv("FIRST")) : 0.02;
-    static const double margin = getenv("ENOUGH") ? atof(getenv("ENOUGH")) : 1e-3;
-    constexpr double most = 3e-3, order = 1.6;
-    const double     accurate = std::min(most, 10. * increment_tolerance);
-    const double     deserved =
-      last_merit > 0. ?
-            std::min(most, std::pow(residual.merit() / last_merit, order)) :
-            most;
-    static const double perhaps = getenv("PERHAPS") ? atof(getenv("PERHAPS")) : 1.;
-    const auto part_of = [](const double least, const double value) {
+    // deserves (Eisenstat and Walker 1996, choice 2), which is least in the first
+    // iteration, nor much more accurately than the tolerances ask for. Where the
+    // residual is as small as that already it does not tell: where only
+    // displacements are prescribed, or tissues are soft.
+    constexpr double most_at_first = 0.02, most = 3e-3, order = 1.6;
+    constexpr double better   = 0.1;
+    const auto       part_for = [](const double least, const double value) {
       return value > least ? least / value : 1.;
     };
-    const double enough =
+    const double wanted =
+      std::min({part_for(least_force(residual), residual.force),
+                part_for(least_volume(residual), residual.volume),
+                part_for(least_border(residual), residual.border)});
+    const double accurate =
       std::min(most,
-               margin * std::min({part_of(least_force(residual), residual.force),
-                                  part_of(least_volume(residual), residual.volume),
-                                  part_of(least_border(residual), residual.border)}));
+               std::max(10. * increment_tolerance,
+                        wanted < 1. ? better * wanted : 0.));
     if (last_merit == 0.)
-      return std::max(first, enough);
-    const bool last =
-      deserved * residual.force <= perhaps * least_force(residual) &&
-      deserved * residual.volume <= perhaps * least_volume(residual) &&
-      deserved * residual.border <= perhaps * least_border(residual);
-    return std::max({accurate, enough, last ? 0. : deserved});
+      return wanted < 1. ? most_at_first : accurate;
+    const double deserved = std::pow(residual.merit() / last_merit, order);
+    return deserved <= wanted ? accurate :
+                                std::min(most, std::max(accurate, deserved));
   }
 
 

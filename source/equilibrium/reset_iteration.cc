@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "enclosed_liquid.h"
+
 namespace lumbricus
 {
   namespace
@@ -33,23 +35,6 @@ namespace lumbricus
       ReferenceField &references;
       const bool      flows;
     };
-
-
-
-    // Those that have cells of liquid. Collective.
-    std::vector<bool>
-    segments_with_liquid(const Body &body)
-    {
-      std::vector<unsigned int> has_cells(
-        body.anatomy.geometry().n_segments(), 0);
-      for (const OwnedCell cell : body.owned_cells())
-        if (cell.is_liquid)
-          has_cells[cell.region.segment] = 1;
-      dealii::Utilities::MPI::max(has_cells,
-                                  body.space.communicator(),
-                                  has_cells);
-      return {has_cells.begin(), has_cells.end()};
-    }
   } // namespace
 
 
@@ -63,9 +48,10 @@ namespace lumbricus
                       "When the liquid is reset. 'iteration': its shape is the "
                       "stress-free one in every iteration of Newton's method, "
                       "so that one solve finds the hydrostatic state. 'solve': "
-                      "after a solve that is not hydrostatic, as in the paper; "
-                      "so in any case in mode 'full', with Least, and with a "
-                      "liquid that slips.",
+                      "after a solve that is not hydrostatic, as in the paper. "
+                      "So it is in any case in mode 'full', with Least, where "
+                      "liquid slips or is on the surface of the body, and with "
+                      "laws that are not isochoric.",
                       dealii::Patterns::Selection("iteration|solve"));
     prm.add_parameter("Mode",
                       mode,
@@ -213,8 +199,8 @@ namespace lumbricus
   ResetIteration::lets_flow(const Model &model) const
   {
     return every == "iteration" && mode == "isochoric" && least == 0 &&
-           limit > 0 && !model.slips &&
-           model.body.anatomy.has_liquid();
+           limit > 0 && !model.slips && model.body.anatomy.liquids_may_flow() &&
+           has_enclosed_liquid(model.body);
   }
 
 

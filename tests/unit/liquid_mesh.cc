@@ -55,6 +55,9 @@ subsection Tissues
     end
   end
 end
+subsection Reset
+  set Every = solve
+end
 )";
 
   // x = A X keeps the planes of symmetry, and all volumes.

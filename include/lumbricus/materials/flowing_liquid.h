@@ -6,11 +6,6 @@
 
 namespace lumbricus
 {
-  /** Of the shear modulus of a liquid this part is in the tangent while it
-   * flows. Newton's method then gains a factor of 1/100 of what it would with
-   * the whole modulus, and with none nothing holds the nodes inside. */
-  constexpr double part_of_flowing_shear = 0.01;
-
   /**
    * The response of a liquid of the law @p law that flows: the shape that it has
    * at @p F is free of shear, its stress-free volume is @p J_v,
@@ -18,8 +13,8 @@ namespace lumbricus
    *   P = p J F^(-T),   c as the law says.
    *
    * The nodes inside a liquid without shear are held by nothing, so A is the
-   * derivative of P and the shear stiffness of part_of_flowing_shear times the
-   * modulus. The rest is MaterialResponse::mu_missing.
+   * derivative of P and a hundredth of the shear stiffness of the law. What
+   * preconditioners are to have more is MaterialResponse::mu_missing.
    */
   void
   flowing_response(const MaterialLaw            &law,
@@ -35,8 +30,8 @@ namespace lumbricus
    *
    *   2 mu J F^(-1)_Jj D_ijkl F^(-1)_Ll,
    *
-   * where D makes a tensor symmetric and deviatoric, @p Q is J F^(-T) times any
-   * w, and @p factor is mu w / J / w^2.
+   * times a weight w, where D makes a tensor symmetric and deviatoric: @p Q is
+   * w J F^(-T), and @p factor is mu / (w J).
    */
   void
   add_shear_stiffness(const double                  factor,

@@ -66,6 +66,14 @@ namespace lumbricus
     virtual double
     shear_modulus() const = 0;
 
+    /** Whether P is p J F^(-T) in a shape that is free of shear, so that a liquid
+     * of this law may flow (flowing_response()). */
+    virtual bool
+    may_flow() const
+    {
+      return false;
+    }
+
     /**
      * Multiply the stiffness by @p factor. Before the parameters are declared
      * this changes their defaults: a liquid's are those of a very soft rubber.
