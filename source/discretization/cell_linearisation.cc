@@ -128,6 +128,7 @@ namespace lumbricus
   void
   CellLinearisation::matrix(const ShapeCache::Cell &cell,
                             const double           *pressure_modes,
+                            const bool              for_preconditioner,
                             std::vector<double>    &K) const
   {
     K.resize(n_unknowns * n_unknowns);
@@ -144,7 +145,7 @@ namespace lumbricus
         const double *psi = pressure_modes + n_modes * q;
 
         double extra[dim * dim][dim * dim] = {};
-        if (mu_missing > 0.)
+        if (for_preconditioner && mu_missing > 0.)
           {
             dealii::Tensor<2, dim> Q_JxW;
             for (unsigned int i = 0; i < dim; ++i)

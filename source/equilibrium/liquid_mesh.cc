@@ -20,6 +20,9 @@ namespace lumbricus
     // Of the scaled Jacobian: nothing moves for less.
     constexpr double least_gain = 1e-6;
 
+    // Of the scaled Jacobian at rest: a mesh is good as long as it has this.
+    constexpr double good = 0.9;
+
     // Call function(cell) for the owned cells of liquid of some segments.
     template <typename Function>
     void
@@ -142,13 +145,16 @@ namespace lumbricus
     const auto   quality = mesh_qualities(body, &before);
     const auto   at_rest = mesh_qualities(body, nullptr);
 
-    Relaxation relaxation;
+    Relaxation          relaxation;
+    std::vector<double> least;
     for (unsigned int s = 0; s < quality.size(); ++s)
-      relaxation.in_segment.push_back(quality[s].liquid <
-                                      relax_below * at_rest[s].liquid);
+      {
+        relaxation.in_segment.push_back(quality[s].liquid <
+                                        relax_below * at_rest[s].liquid);
+        least.push_back(std::max(0., quality[s].liquid) + least_gain);
+      }
     Vector change = state.solution;
-    relax_segments(
-      body, unknowns, quality, 1., least_gain, relaxation, state);
+    relax_segments(body, unknowns, least, relaxation, state);
     // What is extrapolated begins at the nodes where they are now.
     change.sadd(-1., 1., state.solution);
     for (State::Past &earlier : state.past)
@@ -165,28 +171,31 @@ namespace lumbricus
   {
     if (relax_below == 0. || !body.anatomy.has_liquid())
       return {};
-    // What decides must not hang on where the nodes happen to be.
-    constexpr double far_worse = 0.5;
-    const Vector     before    = body.space.with_ghosts(state.solution);
-    const auto       quality   = mesh_qualities(body, &before);
-    Relaxation       relaxation;
-    for (const MeshQuality &of_segment : quality)
-      relaxation.in_segment.push_back(of_segment.liquid < 1.);
-    relax_segments(
-      body, unknowns, quality, far_worse, least_gain, relaxation, state);
+    // What decides does not hang on where the nodes happen to be, as long as the
+    // mesh that it makes is good.
+    const Vector        before  = body.space.with_ghosts(state.solution);
+    const auto          quality = mesh_qualities(body, &before);
+    const auto          at_rest = mesh_qualities(body, nullptr);
+    Relaxation          relaxation;
+    std::vector<double> least;
+    for (unsigned int s = 0; s < quality.size(); ++s)
+      {
+        relaxation.in_segment.push_back(quality[s].liquid < 1.);
+        least.push_back(std::min(good * at_rest[s].liquid,
+                                 std::max(0., quality[s].liquid) + least_gain));
+      }
+    relax_segments(body, unknowns, least, relaxation, state);
     return relaxation;
   }
 
 
 
   void
-  LiquidMesh::relax_segments(const Body                     &body,
-                             const CellUnknowns             &unknowns,
-                             const std::vector<MeshQuality> &quality,
-                             const double                    part,
-                             const double                    least_gain,
-                             Relaxation                     &relaxation,
-                             State                          &state) const
+  LiquidMesh::relax_segments(const Body                &body,
+                             const CellUnknowns        &unknowns,
+                             const std::vector<double> &least_quality,
+                             Relaxation                &relaxation,
+                             State                     &state) const
   {
     std::vector<bool> &in_segment = relaxation.in_segment;
     const auto         none       = [&]() {
@@ -212,9 +221,8 @@ namespace lumbricus
     const Vector after   = space.with_ghosts(relaxed.solution);
     const auto   better  = mesh_qualities(body, &after);
     bool         all     = true;
-    for (unsigned int s = 0; s < quality.size(); ++s)
-      if (in_segment[s] && better[s].liquid <
-                             part * std::max(0., quality[s].liquid) + least_gain)
+    for (unsigned int s = 0; s < better.size(); ++s)
+      if (in_segment[s] && better[s].liquid < least_quality[s])
         in_segment[s] = all = false;
     if (none())
       return;

@@ -109,12 +109,11 @@ namespace lumbricus
                            const double                      last_merit) const
   {
     // No linear system is solved more accurately than the linearisation
-    // deserves (Eisenstat and Walker 1996, choice 2), which is least in the first
-    // iteration, nor much more accurately than the tolerances ask for. Where the
-    // residual is as small as that already it does not tell: where only
-    // displacements are prescribed, or tissues are soft.
-    constexpr double most_at_first = 0.02, most = 3e-3, order = 1.6;
-    constexpr double better   = 0.1;
+    // deserves (Eisenstat and Walker 1996, choice 2), nor much more accurately
+    // than the tolerances ask for: where tissues are soft a small residual does
+    // not make a small error. Where the residual is small already it does not
+    // tell, as where only displacements are prescribed.
+    constexpr double most = 3e-3, order = 1.6, better = 1e-3;
     const auto       part_for = [](const double least, const double value) {
       return value > least ? least / value : 1.;
     };
@@ -127,7 +126,7 @@ namespace lumbricus
                std::max(10. * increment_tolerance,
                         wanted < 1. ? better * wanted : 0.));
     if (last_merit == 0.)
-      return wanted < 1. ? most_at_first : accurate;
+      return wanted < 1. ? most : accurate;
     const double deserved = std::pow(residual.merit() / last_merit, order);
     return deserved <= wanted ? accurate :
                                 std::min(most, std::max(accurate, deserved));

@@ -50,8 +50,9 @@ namespace lumbricus
                       "so that one solve finds the hydrostatic state. 'solve': "
                       "after a solve that is not hydrostatic, as in the paper. "
                       "So it is in any case in mode 'full', with Least, where "
-                      "liquid slips or is on the surface of the body, and with "
-                      "laws that are not isochoric.",
+                      "the mesh in the liquid is never relaxed, where liquid "
+                      "slips or is on the surface of the body, and with laws "
+                      "that are not isochoric.",
                       dealii::Patterns::Selection("iteration|solve"));
     prm.add_parameter("Mode",
                       mode,
@@ -199,7 +200,8 @@ namespace lumbricus
   ResetIteration::lets_flow(const Model &model) const
   {
     return every == "iteration" && mode == "isochoric" && least == 0 &&
-           limit > 0 && !model.slips && model.body.anatomy.liquids_may_flow() &&
+           limit > 0 && liquid_mesh.relaxes() && !model.slips &&
+           model.body.anatomy.liquids_may_flow() &&
            has_enclosed_liquid(model.body);
   }
 

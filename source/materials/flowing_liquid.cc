@@ -10,9 +10,9 @@ namespace lumbricus
   namespace
   {
     // Of the shear modulus while the liquid flows (doc/performance.md). Newton's
-    // method leaves a hundredth of what it would with the whole modulus, and with
+    // method leaves a ten-thousandth of what it would with the whole modulus, and with
     // none nothing holds the nodes inside; factors like more of it.
-    constexpr double part_in_tangent        = 0.01;
+    constexpr double part_in_tangent        = 1e-4;
     constexpr double part_in_preconditioner = 2.;
   } // namespace
 

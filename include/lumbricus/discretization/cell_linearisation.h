@@ -41,11 +41,12 @@ namespace lumbricus
           double                 *y) const;
 
     /** Set @p K to the matrix, by rows, in the order of CellUnknowns: that of
-     * vmult(), with what MaterialResponse::mu_missing adds in liquid that flows.
-     * It is what preconditioners are made of. */
+     * vmult(), or, @p for_preconditioner, with what MaterialResponse::mu_missing
+     * adds in liquid that flows. */
     void
     matrix(const ShapeCache::Cell &cell,
            const double           *pressure_modes,
+           const bool              for_preconditioner,
            std::vector<double>    &K) const;
 
   private:

@@ -88,7 +88,7 @@ namespace lumbricus
 
   private:
     /** Whether the liquid flows while Newton's method goes on, so that it is
-     * hydrostatic after one solve. */
+     * hydrostatic after one solve. Collective. */
     bool
     lets_flow(const Model &model) const;
 

@@ -13,7 +13,7 @@ namespace lumbricus
    *   P = p J F^(-T),   c as the law says.
    *
    * The nodes inside a liquid without shear are held by nothing, so A is the
-   * derivative of P and a hundredth of the shear stiffness of the law. What
+   * derivative of P and a ten-thousandth of the shear stiffness of the law. What
    * preconditioners are to have more is MaterialResponse::mu_missing.
    */
   void
