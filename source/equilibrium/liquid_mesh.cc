@@ -21,7 +21,7 @@ namespace lumbricus
     constexpr double least_gain = 1e-6;
 
     // Of the scaled Jacobian at rest: a mesh is good as long as it has this.
-    constexpr double good = 0.9;
+    constexpr double good = 0.5;
 
     // Call function(cell) for the owned cells of liquid of some segments.
     template <typename Function>

@@ -113,7 +113,7 @@ namespace lumbricus
     // than the tolerances ask for: where tissues are soft a small residual does
     // not make a small error. Where the residual is small already it does not
     // tell, as where only displacements are prescribed.
-    constexpr double most = 3e-3, order = 1.6, better = 1e-3;
+    constexpr double most = 3e-3, order = 1.6, better = 1e-4;
     const auto       part_for = [](const double least, const double value) {
       return value > least ? least / value : 1.;
     };

@@ -49,7 +49,7 @@ namespace lumbricus
     relax(const Body &body, const CellUnknowns &unknowns, State &state) const;
 
     /** The same after a load step in the liquid of every segment where the mesh
-     * is nearly as good as at rest then, or better than it was: where that is so,
+     * is half as good as at rest then, or better than it was: where that is so,
      * what the liquid's mesh is hangs on nothing but the surface of the liquid.
      * Nothing where meshes are never relaxed. Collective. */
     Relaxation
