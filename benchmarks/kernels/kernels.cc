@@ -232,7 +232,7 @@ namespace
       evaluate(i, &block.tangent.cell(i));
     });
     const double matrix        = seconds_per_cell(block, [&](const auto i) {
-      block.tangent.cell(i).matrix(block.shapes.cell(i), psi, K);
+      block.tangent.cell(i).matrix(block.shapes.cell(i), psi, true, K);
     });
     double       y[CellUnknowns::n_per_cell];
     const double vmult = seconds_per_cell(block, [&](const auto i) {

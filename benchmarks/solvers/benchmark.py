@@ -45,7 +45,7 @@ def row(name, settings, method="multigrid", ranks=1):
     if method == "multigrid":
         own.append("Coarsest unknowns=1000")
     settings = ["Time/End=0.1", "Time/First step=0.1", "Time/Smallest step=0.1",
-                "Reset/Limit=5", "Newton/Increment tolerance=1e-7",
+                "Reset/Every=solve", "Reset/Limit=5", "Newton/Increment tolerance=1e-7",
                 f"Linear solver/Method={method}"] + [
         f"Linear solver/{method}/{entry}" for entry in own] + settings
     result = run(SEGMENT, re.sub(r"\W+", "_", f"{name} {method}"), settings, ranks)

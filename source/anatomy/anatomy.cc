@@ -267,6 +267,17 @@ namespace lumbricus
 
 
 
+  bool
+  Anatomy::liquids_may_flow() const
+  {
+    bool may = true;
+    for (unsigned int i = 0; i < tissue_names.size(); ++i)
+      may = may && (!is_liquid(i) || tissue(i).law().may_flow());
+    return may;
+  }
+
+
+
   const std::vector<const Muscle *> &
   Anatomy::muscles_of(const unsigned int tissue) const
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/anatomy/tissue.h>
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/materials/flowing_liquid.h>
 #include <lumbricus/parameters/patterns.h>
 
 #include <cstddef>
@@ -142,7 +143,12 @@ namespace lumbricus
                    MaterialResponse             &response) const
   {
     AssertDimension(point.fibres.size(), actions.size());
-    chosen_law->evaluate(F, p, point.reference, with_tangent, response);
+    response.mu_missing = 0.;
+    if (point.reference.flows)
+      flowing_response(
+        *chosen_law, F, p, point.reference.J_v, with_tangent, response);
+    else
+      chosen_law->evaluate(F, p, point.reference, with_tangent, response);
     for (std::size_t k = 0; k < actions.size(); ++k)
       actions[k]->add_stress(F, point.fibres[k], with_tangent, response);
   }

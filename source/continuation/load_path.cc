@@ -23,6 +23,9 @@ namespace lumbricus
       all.n_resets.resize(part.n_resets.size(), 0);
       for (unsigned int s = 0; s < part.n_resets.size(); ++s)
         all.n_resets[s] += part.n_resets[s];
+      all.relaxed.resize(part.n_resets.size(), false);
+      for (unsigned int s = 0; s < part.relaxed.size(); ++s)
+        all.relaxed[s] = all.relaxed[s] || part.relaxed[s];
     }
 
 

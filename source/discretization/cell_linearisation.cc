@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/cell_linearisation.h>
 #include <lumbricus/discretization/cell_sizes.h>
+#include <lumbricus/materials/flowing_liquid.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "dgemm.h"
 #include "node_sums.h"
@@ -38,7 +40,8 @@ namespace lumbricus
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int J = 0; J < dim; ++J)
         Q[dim * i + J][q] = response.Q[i][J] * JxW;
-    dc_dp[q] = response.dc_dp * JxW;
+    dc_dp[q]   = response.dc_dp * JxW;
+    mu_missing = response.mu_missing;
   }
 
 
@@ -125,6 +128,7 @@ namespace lumbricus
   void
   CellLinearisation::matrix(const ShapeCache::Cell &cell,
                             const double           *pressure_modes,
+                            const bool              for_preconditioner,
                             std::vector<double>    &K) const
   {
     K.resize(n_unknowns * n_unknowns);
@@ -140,6 +144,19 @@ namespace lumbricus
         const double *g2  = g1 + padded;
         const double *psi = pressure_modes + n_modes * q;
 
+        double extra[dim * dim][dim * dim] = {};
+        if (for_preconditioner && mu_missing > 0.)
+          {
+            dealii::Tensor<2, dim> Q_JxW;
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int J = 0; J < dim; ++J)
+                Q_JxW[i][J] = Q[dim * i + J][q];
+            // det Q = J^2
+            const double JxW = cell.JxW[q];
+            const double J   = std::sqrt(determinant(Q_JxW) / (JxW * JxW * JxW));
+            add_shear_stiffness(mu_missing / (J * JxW), Q_JxW, extra);
+          }
+
         // H(i,k)[3 q + J][m] = A_iJkL dN_m/dX_L JxW
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int J = 0; J < dim; ++J)
@@ -149,7 +166,8 @@ namespace lumbricus
                 for (unsigned int L = 0; L < dim; ++L)
                   {
                     const unsigned int iJ = dim * i + J, kL = dim * k + L;
-                    a[L] = A[pair(std::min(iJ, kL), std::max(iJ, kL))][q];
+                    a[L] = A[pair(std::min(iJ, kL), std::max(iJ, kL))][q] +
+                           extra[iJ][kL];
                   }
                 double *h = H[dim * q + J] + block(i, k) * padded;
                 for (unsigned int m = 0; m < padded; ++m)

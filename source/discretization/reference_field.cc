@@ -112,6 +112,17 @@ namespace lumbricus
 
 
   void
+  ReferenceField::let_liquid_flow(const bool flows)
+  {
+    for (const OwnedCell cell : body.owned_cells())
+      if (cell.is_liquid)
+        for (unsigned int q = 0; q < n_q; ++q)
+          points[cell.index * n_q + q].reference.flows = flows;
+  }
+
+
+
+  void
   ReferenceField::update(const State &state, const LoadTime &t)
   {
     update_muscles(t);

@@ -61,7 +61,26 @@ namespace lumbricus
   void
   Tangent::cell_matrix(const unsigned int i, std::vector<double> &K) const
   {
-    cells[i].matrix(shapes.cell(i), shapes.pressure_modes(), K);
+    cell_matrix(i, true, K);
+  }
+
+
+
+  void
+  Tangent::exact_cell_matrix(const unsigned int i, std::vector<double> &K) const
+  {
+    cell_matrix(i, false, K);
+  }
+
+
+
+  void
+  Tangent::cell_matrix(const unsigned int   i,
+                       const bool           for_preconditioner,
+                       std::vector<double> &K) const
+  {
+    cells[i].matrix(
+      shapes.cell(i), shapes.pressure_modes(), for_preconditioner, K);
     if (of_surface_cell[i] >= 0)
       surface_matrices[of_surface_cell[i]].add_to(K);
   }

@@ -11,33 +11,15 @@
 #include <algorithm>
 #include <array>
 
+#include "cell_laplacian.h"
+#include "enclosed_liquid.h"
+
 namespace lumbricus
 {
   namespace
   {
     using cell_sizes::n_nodes;
     using cell_sizes::n_per_cell;
-
-    // int grad N_m . grad N_n dV of a cell.
-    using Stiffness = std::array<std::array<double, n_nodes>, n_nodes>;
-
-    Stiffness
-    stiffness(const ShapeCache::Cell &cell)
-    {
-      Stiffness K = {};
-      for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
-        for (unsigned int J = 0; J < dim; ++J)
-          {
-            const double *g =
-              cell.gradients + (dim * q + J) * ShapeCache::padded_nodes;
-            for (unsigned int m = 0; m < n_nodes; ++m)
-              for (unsigned int n = 0; n < n_nodes; ++n)
-                K[m][n] += g[m] * g[n] * cell.JxW[q];
-          }
-      return K;
-    }
-
-
 
     // The Laplacian of the displacement inside the liquid, cell by cell; all
     // other unknowns have the rows of the identity.
@@ -56,7 +38,7 @@ namespace lumbricus
                const ShapeCache::Cell  &cell,
                const std::vector<bool> &is_held)
       {
-        cells.push_back({i, stiffness(cell)});
+        cells.push_back({i, CellLaplacian(cell)});
         for (unsigned int n = 0; n < n_nodes; ++n)
           for (unsigned int c = 0; c < dim; ++c)
             for (const auto &[place, weight] :
@@ -88,12 +70,7 @@ namespace lumbricus
         for (const Cell &cell : cells)
           {
             read_cell(cell.index, x_cell);
-            std::fill(y_cell, y_cell + n_per_cell, 0.);
-            for (unsigned int m = 0; m < n_nodes; ++m)
-              for (unsigned int n = 0; n < n_nodes; ++n)
-                for (unsigned int c = 0; c < dim; ++c)
-                  y_cell[CellUnknowns::displacement(c, m)] +=
-                    cell.K[m][n] * x_cell[CellUnknowns::displacement(c, n)];
+            cell.K.vmult(x_cell, y_cell);
             unknowns.add(cell.index, y_cell, y);
           }
         y.compress(dealii::VectorOperation::add);
@@ -124,7 +101,7 @@ namespace lumbricus
             for (unsigned int c = 0; c < dim; ++c)
               for (const auto &[place, weight] :
                    unknowns.row(cell.index, CellUnknowns::displacement(c, n)))
-                diagonal.begin()[place] += weight * weight * cell.K[n][n];
+                diagonal.begin()[place] += weight * weight * cell.K.diagonal(n);
         diagonal.compress(dealii::VectorOperation::add);
         for (unsigned int k = 0; k < diagonal.locally_owned_size(); ++k)
           diagonal.local_element(k) = is_inside.local_element(k) > 0. ?
@@ -136,8 +113,8 @@ namespace lumbricus
     private:
       struct Cell
       {
-        unsigned int index;
-        Stiffness    K;
+        unsigned int  index;
+        CellLaplacian K;
       };
 
       static constexpr double n_cells_at_most = 1e6;
@@ -156,17 +133,11 @@ namespace lumbricus
       const MixedSpace &space      = body.space;
       const Anatomy    &anatomy    = body.anatomy;
       const auto       &cell       = owned_cell.iterator;
-      const auto        planes     = anatomy.geometry().symmetry_planes();
       const auto        is_surface = [&](const unsigned int f) {
-        if (!cell->face(f)->at_boundary())
-          return !anatomy.is_liquid(
-            Region::of(cell->neighbor(f)->material_id()).tissue);
-        return std::none_of(planes.begin(),
-                            planes.end(),
-                            [&](const auto &plane) {
-                              return plane.boundary ==
-                                     cell->face(f)->boundary_id();
-                            });
+        return cell->face(f)->at_boundary() ?
+                 is_outside(body, cell, f) :
+                 !anatomy.is_liquid(
+                   Region::of(cell->neighbor(f)->material_id()).tissue);
       };
       std::vector<bool> on_surface(n_nodes, false);
       for (const unsigned int f : cell->face_indices())

@@ -20,6 +20,9 @@ namespace lumbricus
     // Of the scaled Jacobian: nothing moves for less.
     constexpr double least_gain = 1e-6;
 
+    // Of the scaled Jacobian at rest: a mesh is good as long as it has this.
+    constexpr double good = 0.5;
+
     // Call function(cell) for the owned cells of liquid of some segments.
     template <typename Function>
     void
@@ -138,56 +141,95 @@ namespace lumbricus
   {
     if (relax_below == 0. || !body.anatomy.has_liquid())
       return {};
-    const MixedSpace &space   = body.space;
-    const Vector      before  = space.with_ghosts(state.solution);
-    const auto        quality = mesh_qualities(body, &before);
-    const auto        at_rest = mesh_qualities(body, nullptr);
+    const Vector before  = body.space.with_ghosts(state.solution);
+    const auto   quality = mesh_qualities(body, &before);
+    const auto   at_rest = mesh_qualities(body, nullptr);
 
-    Relaxation relaxation;
+    Relaxation          relaxation;
+    std::vector<double> least;
     for (unsigned int s = 0; s < quality.size(); ++s)
-      relaxation.in_segment.push_back(quality[s].liquid <
-                                      relax_below * at_rest[s].liquid);
-    const auto any = [&]() {
-      return std::find(relaxation.in_segment.begin(),
-                       relaxation.in_segment.end(),
-                       true) != relaxation.in_segment.end();
-    };
-    if (!any())
-      return {};
+      {
+        relaxation.in_segment.push_back(quality[s].liquid <
+                                        relax_below * at_rest[s].liquid);
+        least.push_back(std::max(0., quality[s].liquid) + least_gain);
+      }
+    Vector change = state.solution;
+    relax_segments(body, unknowns, least, relaxation, state);
+    // What is extrapolated begins at the nodes where they are now.
+    change.sadd(-1., 1., state.solution);
+    for (State::Past &earlier : state.past)
+      earlier.solution += change;
+    return relaxation;
+  }
 
-    const Vector correction =
-      harmonic_correction(body, unknowns, before, relaxation.in_segment);
+
+
+  LiquidMesh::Relaxation
+  LiquidMesh::settle(const Body         &body,
+                     const CellUnknowns &unknowns,
+                     State              &state) const
+  {
+    if (relax_below == 0. || !body.anatomy.has_liquid())
+      return {};
+    // What decides does not hang on where the nodes happen to be, as long as the
+    // mesh that it makes is good.
+    const Vector        before  = body.space.with_ghosts(state.solution);
+    const auto          quality = mesh_qualities(body, &before);
+    const auto          at_rest = mesh_qualities(body, nullptr);
+    Relaxation          relaxation;
+    std::vector<double> least;
+    for (unsigned int s = 0; s < quality.size(); ++s)
+      {
+        relaxation.in_segment.push_back(quality[s].liquid < 1.);
+        least.push_back(std::min(good * at_rest[s].liquid,
+                                 std::max(0., quality[s].liquid) + least_gain));
+      }
+    relax_segments(body, unknowns, least, relaxation, state);
+    return relaxation;
+  }
+
+
+
+  void
+  LiquidMesh::relax_segments(const Body                &body,
+                             const CellUnknowns        &unknowns,
+                             const std::vector<double> &least_quality,
+                             Relaxation                &relaxation,
+                             State                     &state) const
+  {
+    std::vector<bool> &in_segment = relaxation.in_segment;
+    const auto         none       = [&]() {
+      if (std::find(in_segment.begin(), in_segment.end(), true) !=
+          in_segment.end())
+        return false;
+      in_segment.clear();
+      return true;
+    };
+    if (none())
+      return;
+    const MixedSpace &space  = body.space;
+    const Vector      before = space.with_ghosts(state.solution);
+    const Vector      correction =
+      harmonic_correction(body, unknowns, before, in_segment);
     CellStateReader reader(space, state);
-    const auto pressures  = mean_pressures(body, relaxation.in_segment, reader);
-    const auto relax_them = [&]() {
-      return relaxed_state(body,
-                           unknowns,
-                           relaxation.in_segment,
-                           correction,
-                           pressures,
-                           reader,
-                           state);
+    const auto      pressures  = mean_pressures(body, in_segment, reader);
+    const auto      relax_them = [&]() {
+      return relaxed_state(
+        body, unknowns, in_segment, correction, pressures, reader, state);
     };
     State        relaxed = relax_them();
     const Vector after   = space.with_ghosts(relaxed.solution);
     const auto   better  = mesh_qualities(body, &after);
     bool         all     = true;
-    for (unsigned int s = 0; s < quality.size(); ++s)
-      if (relaxation.in_segment[s] &&
-          better[s].liquid < std::max(0., quality[s].liquid) + least_gain)
-        relaxation.in_segment[s] = all = false;
-    if (!any())
-      return {};
+    for (unsigned int s = 0; s < better.size(); ++s)
+      if (in_segment[s] && better[s].liquid < least_quality[s])
+        in_segment[s] = all = false;
+    if (none())
+      return;
     if (!all)
       relaxed = relax_them();
 
     set_rest_volumes(rest_volumes(body, state), body, relaxed);
-    // What is extrapolated begins at the nodes where they are now.
-    Vector change = relaxed.solution;
-    change -= state.solution;
-    for (State::Past &earlier : relaxed.past)
-      earlier.solution += change;
     state = relaxed;
-    return relaxation;
   }
 } // namespace lumbricus

@@ -109,21 +109,29 @@ namespace lumbricus
                            const double                      last_merit) const
   {
     // No linear system is solved more accurately than the linearisation
-    // deserves (Eisenstat and Walker 1996, choice 2). The last one is, so that
-    // the solution is better than the tolerances ask for: where tissues are
-    // soft a small residual does not make a small error.
-    constexpr double most = 3e-3, order = 1.6;
-    const double     accurate = std::min(most, 10. * increment_tolerance);
-    const double     deserved =
-      last_merit > 0. ?
-            std::min(most, std::pow(residual.merit() / last_merit, order)) :
-            most;
-    constexpr double perhaps = 1e3;
-    const bool last =
-      deserved * residual.force <= perhaps * least_force(residual) &&
-      deserved * residual.volume <= perhaps * least_volume(residual) &&
-      deserved * residual.border <= perhaps * least_border(residual);
-    return last ? accurate : std::max(accurate, deserved);
+    // deserves (Eisenstat and Walker 1996, choice 2), nor much more accurately
+    // than the tolerances ask for: where tissues are soft a small residual does
+    // not make a small error. So one that may be the last is solved accurately;
+    // if it was not the last, the next begins nearer. Where the residual is small
+    // already it does not tell, as where only displacements are prescribed.
+    constexpr double most = 3e-3, order = 1.6, better = 1e-4, perhaps = 8.;
+    const auto       part_for = [](const double least, const double value) {
+      return value > least ? least / value : 1.;
+    };
+    const double wanted =
+      std::min({part_for(least_force(residual), residual.force),
+                part_for(least_volume(residual), residual.volume),
+                part_for(least_border(residual), residual.border)});
+    const double accurate =
+      std::min(most,
+               std::max(10. * increment_tolerance,
+                        wanted < 1. ? better * wanted : 0.));
+    if (last_merit == 0.)
+      return wanted < 1. ? most : accurate;
+    const double deserved = std::pow(residual.merit() / last_merit, order);
+    return deserved <= perhaps * wanted ?
+             accurate :
+             std::min(most, std::max(accurate, deserved));
   }
 
 

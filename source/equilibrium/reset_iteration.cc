@@ -7,12 +7,53 @@
 #include <algorithm>
 #include <sstream>
 
+#include "enclosed_liquid.h"
+
 namespace lumbricus
 {
+  namespace
+  {
+    // Lets the liquid flow as long as it lives.
+    class Flow
+    {
+    public:
+      Flow(ReferenceField &references, const bool flows)
+        : references(references)
+        , flows(flows)
+      {
+        if (flows)
+          references.let_liquid_flow(true);
+      }
+
+      ~Flow()
+      {
+        if (flows)
+          references.let_liquid_flow(false);
+      }
+
+    private:
+      ReferenceField &references;
+      const bool      flows;
+    };
+  } // namespace
+
+
+
   void
   ResetIteration::declare_parameters(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Reset");
+    prm.add_parameter("Every",
+                      every,
+                      "When the liquid is reset. 'iteration': its shape is the "
+                      "stress-free one in every iteration of Newton's method, "
+                      "so that one solve finds the hydrostatic state. 'solve': "
+                      "after a solve that is not hydrostatic, as in the paper. "
+                      "So it is in any case in mode 'full', with Least, where "
+                      "the mesh in the liquid is never relaxed, where liquid "
+                      "slips or is on the surface of the body, and with laws "
+                      "that are not isochoric.",
+                      dealii::Patterns::Selection("iteration|solve"));
     prm.add_parameter("Mode",
                       mode,
                       "What a reset of the liquid forgets. 'isochoric': its "
@@ -65,13 +106,11 @@ namespace lumbricus
 
 
   LiquidMesh::Relaxation
-  ResetIteration::relax_mesh(State              &state,
-                             const Body         &body,
-                             const CellUnknowns &unknowns) const
+  ResetIteration::relax_mesh(State &state, const Model &model) const
   {
-    if (limit == 0)
+    if (limit == 0 || lets_flow(model))
       return {};
-    return liquid_mesh.relax(body, unknowns, state);
+    return liquid_mesh.relax(model.body, model.unknowns, state);
   }
 
 
@@ -86,6 +125,7 @@ namespace lumbricus
     Report             report;
     report.n_resets.assign(n_segments, 0);
 
+    const bool             flows              = lets_flow(model);
     constexpr unsigned int most_augmentations = 100;
     unsigned int           n_augmentations    = 0;
     Unknowns               x{guess, state.globals};
@@ -93,24 +133,18 @@ namespace lumbricus
       {
         Solve solve;
         model.equilibrium.start_from(state.solution);
-        solve.newton   = model.newton.solve(model.equilibrium, x);
+        {
+          const Flow flow(model.references, flows);
+          solve.newton = model.newton.solve(model.equilibrium, x);
+        }
         state.solution = x.solution;
         state.globals  = x.globals;
-
-        dealii::TimerOutput::Scope scope(model.timer, "reset");
-        const Vector relevant = body.space.with_ghosts(state.solution);
-        solve.segments        = segment_states(body,
-                                               model.references,
-                                               relevant,
-                                               state.globals);
-        const auto excess     = model.weight.mean_excess(relevant);
-        for (unsigned int s = 0; s < n_segments; ++s)
-          solve.segments[s].pressure +=
-            excess[s] * solve.segments[s].liquid_volume;
-        solve.measures        = section_measures(body, relevant);
-        solve.qualities       = mesh_qualities(body, &relevant);
-        for (const SegmentState &segment : solve.segments)
-          solve.divergence.push_back(segment.divergence(pressure_floor));
+        if (flows)
+          {
+            reset(state, std::vector<bool>(n_segments, true), body);
+            model.references.update_liquid(state);
+          }
+        measure(state, model, solve);
         report.solves.push_back(solve);
 
         std::vector<bool> diverges;
@@ -119,20 +153,28 @@ namespace lumbricus
         const bool hydrostatic = std::none_of(diverges.begin(),
                                               diverges.end(),
                                               [](const bool d) { return d; });
-        const bool done = limit == 0 || (hydrostatic && n_resets >= least);
+        const bool done =
+          limit == 0 || flows || (hydrostatic && n_resets >= least);
         Vector     way;
         const bool is_augmented =
           !model.surface.augment(state, model.equilibrium.load_time(), way);
         if (!done && n_resets >= least)
           check_progress(report.solves, diverges);
         const std::vector<bool> is_reset =
+          flows             ? segments_with_liquid(body) :
           done              ? std::vector<bool>(n_segments, false) :
           n_resets >= least ? diverges :
                               std::vector<bool>(n_segments, true);
         if (listener)
           listener(solve, is_reset);
+        for (unsigned int s = 0; s < n_segments; ++s)
+          report.n_resets[s] += is_reset[s];
         if (done && is_augmented)
-          return report;
+          {
+            if (flows)
+              settle(state, model, report);
+            return report;
+          }
         AssertThrow(is_augmented || ++n_augmentations < most_augmentations,
                     ExcNotConverged(
                       "The skin goes into an obstacle by more than its "
@@ -149,9 +191,57 @@ namespace lumbricus
             x.solution += way;
           }
         model.references.update_liquid(state);
-        for (unsigned int s = 0; s < n_segments; ++s)
-          report.n_resets[s] += is_reset[s];
       }
+  }
+
+
+
+  bool
+  ResetIteration::lets_flow(const Model &model) const
+  {
+    return every == "iteration" && mode == "isochoric" && least == 0 &&
+           limit > 0 && liquid_mesh.relaxes() && !model.slips &&
+           model.body.anatomy.liquids_may_flow() &&
+           has_enclosed_liquid(model.body);
+  }
+
+
+
+  void
+  ResetIteration::measure(const State &state,
+                          const Model &model,
+                          Solve       &solve) const
+  {
+    dealii::TimerOutput::Scope scope(model.timer, "reset");
+    const Vector relevant = model.body.space.with_ghosts(state.solution);
+    solve.segments =
+      segment_states(model.body, model.references, relevant, state.globals);
+    const auto excess = model.weight.mean_excess(relevant);
+    for (unsigned int s = 0; s < solve.segments.size(); ++s)
+      solve.segments[s].pressure += excess[s] * solve.segments[s].liquid_volume;
+    solve.measures  = section_measures(model.body, relevant);
+    solve.qualities = mesh_qualities(model.body, &relevant);
+    solve.divergence.clear();
+    for (const SegmentState &segment : solve.segments)
+      solve.divergence.push_back(segment.divergence(pressure_floor));
+  }
+
+
+
+  void
+  ResetIteration::settle(State       &state,
+                         const Model &model,
+                         Report      &report) const
+  {
+    {
+      dealii::TimerOutput::Scope scope(model.timer, "liquid's mesh");
+      report.relaxed =
+        liquid_mesh.settle(model.body, model.unknowns, state).in_segment;
+    }
+    if (report.relaxed.empty())
+      return;
+    model.references.update_liquid(state);
+    measure(state, model, report.solves.back());
   }
 
 

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace lumbricus
 {
@@ -25,6 +27,21 @@ namespace lumbricus
 
 
 
+  std::pair<double, double>
+  CondensedFactor::shear_moduli() const
+  {
+    double softest = std::numeric_limits<double>::max(), stiffest = 0.;
+    for (const double mu : tangent.shear_modulus)
+      {
+        softest  = std::min(softest, mu);
+        stiffest = std::max(stiffest, mu);
+      }
+    return {dealii::Utilities::MPI::min(softest, comm),
+            dealii::Utilities::MPI::max(stiffest, comm)};
+  }
+
+
+
   void
   CondensedFactor::plan(const MoreEntries &more)
   {
@@ -32,10 +49,13 @@ namespace lumbricus
     if (!dealii::Utilities::MPI::logical_or(is_new, comm))
       return;
     factors.reset();
-    factors = std::make_unique<DividedFactor>(
+    const auto [softest, stiffest] = shear_moduli();
+    Assert(stiffest > 0., dealii::ExcMessage("The tangent has no values yet"));
+    factors                        = std::make_unique<DividedFactor>(
       comm,
       Mumps<float>::Options{tangent.symmetric,
-                            accuracy.pivoting,
+                            accuracy.pivoting || !tangent.symmetric ||
+                              stiffest > most_contrast * softest,
                             accuracy.compression},
       tangent.unknowns,
       n_private,
@@ -77,11 +97,7 @@ namespace lumbricus
     std::vector<double>        K, S, row;
     dealii::FullMatrix<double> K_zz(n_private, n_private);
 
-    double stiffest = 0.;
-    for (const double mu : tangent.shear_modulus)
-      stiffest = std::max(stiffest, mu);
-    stiffest = dealii::Utilities::MPI::max(stiffest, comm);
-
+    const double stiffest = shear_moduli().second;
     factors->begin();
     for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
       {

@@ -10,6 +10,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "global_rows.h"
@@ -41,12 +42,17 @@ namespace lumbricus
      * volume against what is not. */
     static constexpr double penalty = 1e2;
 
+    /** Stiffnesses of tissues that differ by more, and L U, take pivoting from the
+     * first: what rounding does to soft tissue in factors without grows with the
+     * ratio, and FGMRES, which looks at residuals, does not see it. */
+    static constexpr double most_contrast = 10.;
+
     /** How S is factored. */
     struct Accuracy
     {
       /** What to call it when speaking to the user. */
       const char *name;
-      /** Whether rows are exchanged. */
+      /** Whether rows are exchanged in any case. */
       bool pivoting;
       /** What of S is neglected, relative to its entries, where blocks of it
        * far from its diagonal are compressed to low rank. */
@@ -101,6 +107,10 @@ namespace lumbricus
 
   private:
     static constexpr unsigned int n_private = CellUnknowns::n_private;
+
+    /** The least and the largest shear modulus of the body [N/mm^2]. Collective. */
+    std::pair<double, double>
+    shear_moduli() const;
 
     /** Analyse the pattern with @p more, where it has not done so. */
     void

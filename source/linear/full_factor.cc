@@ -21,7 +21,7 @@ namespace lumbricus
     mumps.begin();
     for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
       {
-        tangent.cell_matrix(i, K);
+        tangent.exact_cell_matrix(i, K);
         unknowns.apply_constraints(i, K);
         mumps.add(unknowns.free_unknowns(i).size(), K.data());
       }

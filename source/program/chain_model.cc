@@ -53,7 +53,9 @@ namespace lumbricus
                   references,
                   liquid_weight,
                   body,
-                  timer}
+                  assembler.tangent().unknowns,
+                  timer,
+                  parameters.interface_coupling.slips()}
   {
     triangulation.signals.weight.connect(
       [slips = is_slip_interface()](const ParallelMesh::cell_iterator &cell,
@@ -306,9 +308,7 @@ namespace lumbricus
   ChainModel::relax_liquid_mesh(State &state)
   {
     dealii::TimerOutput::Scope scope(timer, "liquid's mesh");
-    return parameters.reset_iteration.relax_mesh(state,
-                                                 body,
-                                                 assembler.tangent().unknowns);
+    return parameters.reset_iteration.relax_mesh(state, reset_model);
   }
 
 

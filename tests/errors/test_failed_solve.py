@@ -36,7 +36,7 @@ FAILURES = {
         ["No solution beyond time 0 ", "segment 1 has an inverted element",
          "Try"]),
     "reset limit": (
-        CHAIN, 0, ["Reset/Limit=1", "Reset/Tolerance=1e-9",
+        CHAIN, 0, ["Reset/Every=solve", "Reset/Limit=1", "Reset/Tolerance=1e-9",
                    "Time/Smallest step=1"],
         ["No solution beyond time 0 ", "not hydrostatic after 1 resets",
          "segment 1 (divergence", "segment 2 (divergence",
@@ -98,7 +98,7 @@ FAILURES.update({
         ["Newton's method cannot start", "cannot be computed: it is not a "
          "number. Try", "smaller active stretch"]),
     "tolerance of resets below round-off": (
-        CHAIN, 0, ["Reset/Limit=100", "Reset/Tolerance=1e-16",
+        CHAIN, 0, ["Reset/Every=solve", "Reset/Limit=100", "Reset/Tolerance=1e-16",
                    "Time/Smallest step=1"],
         ["The liquid moves away from the hydrostatic state after ",
          "segment 1 (divergence", "Raise 'Reset/Tolerance'",

@@ -41,6 +41,7 @@ def test_the_softness_of_the_liquid_plays_no_role(tmp_path):
     # Hydrostatic to 1e-5, so that what is left of the shear is not measured.
     results = [run_well(HERE / "segment.prm", tmp_path / str(ratio),
                         [stiffness(ratio), "Reset/Tolerance=1e-5",
+                         "Reset/Every=solve",
                          "Time/Largest step=0.1", "Time/First step=0.1"])
                for ratio in (1e-2, 1e-3, 1e-4)]
     for result in results:
@@ -56,6 +57,29 @@ def test_the_softness_of_the_liquid_plays_no_role(tmp_path):
     resets = [sum(row["resets"] for row in result.segments())
               for result in results]
     assert resets[0] > resets[1] > resets[2] >= 1
+
+
+def test_liquid_that_flows_is_where_resets_lead(tmp_path):
+    """Whatever rubber holds its nodes, and in one solve a step."""
+    settings = ["Time/Largest step=0.1", "Time/First step=0.1"]
+    exact = run_well(HERE / "segment.prm", tmp_path / "exact",
+                     [*settings, "Reset/Every=solve", "Reset/Tolerance=1e-7"])
+    by_default = run_well(HERE / "segment.prm", tmp_path / "solve",
+                          [*settings, "Reset/Every=solve"])
+    runs = [run_well(HERE / "segment.prm", tmp_path / str(ratio),
+                     [*settings, stiffness(ratio)]) for ratio in (1e-2, 1e-3)]
+    for run in runs:
+        volumes_constant(run, 1e-10)
+        assert all(step["solves"] == 1 for step in run.steps()[1:])
+        for row in run.segments():
+            assert row["eta"] < 1e-10
+            assert row["resets"] == (row["t"] > 0)
+    for name in ("fluid_pressure", "length", "mid_radius"):
+        error = [max(abs(row[name] / expected[name] - 1) for row, expected in
+                     zip(run.segments(), exact.segments()) if row["t"] > 0)
+                 for run in (*runs, by_default)]
+        assert max(error[:2]) < 1e-6, (name, error)
+        assert error[2] > 10 * max(error[:2]), (name, error)
 
 
 def test_no_resets_leaves_shear(tmp_path):

@@ -39,7 +39,7 @@ def waves(folder, settings):
                       ["Geometry/segment chain/Cells along a segment=2",
                        "Geometry/segment chain/Cells across the liquid=1",
                        "Geometry/segment chain/Number of segments=3",
-                       "Time/End=4.25"] +
+                       "Reset/Every=solve", "Time/End=4.25"] +
                       [f"Muscles/{muscle}/wave/Wavelength=3" for muscle in
                        ("circular", "septal", "longitudinal")])
     found = []

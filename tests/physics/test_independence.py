@@ -78,7 +78,7 @@ def test_steps_that_are_cut(tmp_path, coupling):
     more resets than there may be, and shorter ones do not."""
     settings = ["Time/End=0.4", "Time/First step=0.4", "Time/Largest step=0.4",
                 "Time/Growth=1.25", "Time/Easy iterations=100",
-                "Reset/Limit=2"]
+                "Reset/Limit=2", "Reset/Every=solve"]
     runs = each_way(tmp_path, coupling, settings, FEW)
     first = runs[0].steps()[0]
     for run in runs:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Laws and reference maps as tensors: against finite differences and closed
 // forms.
+#include <lumbricus/materials/flowing_liquid.h>
 #include <lumbricus/materials/material_law.h>
 #include <lumbricus/reference_map/active_stretch.h>
 #include <lumbricus/reference_map/fluid_reset.h>
@@ -278,4 +279,70 @@ TEST(Reset, FullResetForgetsTheVolumeToo)
   law->evaluate(F_general, 0., reference, false, after);
   EXPECT_NEAR(after.P.norm(), 0., 1e-14);
   EXPECT_NEAR(after.c, 0., 1e-15);
+}
+
+
+
+TEST(FlowingLiquid, HasTheResponseOfAResetShape)
+{
+  for (const Law &which : laws)
+    {
+      const auto law = read_plugin<MaterialLaw>(which.name, which.parameters);
+      if (!law->may_flow())
+        continue;
+      // What is free of shear at F_general, with another stress-free volume.
+      const auto       reference = rest_shape_map(F_general, F_rest);
+      MaterialResponse reset, flowing;
+      law->evaluate(F_general, p, reference, true, reset);
+      flowing_response(*law, F_general, p, reference.J_v, true, flowing);
+      EXPECT_NEAR((flowing.P - reset.P).norm(), 0., 1e-14);
+      EXPECT_NEAR(flowing.c, reset.c, 1e-14);
+      EXPECT_EQ(flowing.dc_dp, reset.dc_dp);
+
+      // With what a preconditioner has more, A is that of twice the modulus.
+      const double J = determinant(F_general);
+      double       A[dim * dim][dim * dim];
+      for (unsigned int a = 0; a < dim * dim; ++a)
+        for (unsigned int b = 0; b < dim * dim; ++b)
+          A[a][b] = flowing.A[a][b];
+      add_shear_stiffness(flowing.mu_missing / J, flowing.Q, A);
+      add_shear_stiffness(-law->shear_modulus() / J, flowing.Q, A);
+      MaterialResponse twice;
+      // Of a reset shape with the volume that it has.
+      law->evaluate(
+        F_general, p, rest_shape_map(F_general, F_general), true, twice);
+      for (unsigned int a = 0; a < dim * dim; ++a)
+        for (unsigned int b = 0; b < dim * dim; ++b)
+          EXPECT_NEAR(A[a][b], twice.A[a][b], 1e-13) << which.name;
+    }
+}
+
+
+
+TEST(FlowingLiquid, ResistsShearByATenThousandthOfItsModulusInTheTangentAlone)
+{
+  const auto law = read_plugin<MaterialLaw>("Mooney-Rivlin",
+                                            "set a = 0.5\nset b = 0.3");
+  MaterialResponse response;
+  flowing_response(*law, F_general, p, 1., true, response);
+  add_shear_stiffness(-1e-4 * law->shear_modulus() / determinant(F_general),
+                      response.Q,
+                      response.A);
+  for (unsigned int k = 0; k < dim; ++k)
+    for (unsigned int L = 0; L < dim; ++L)
+      {
+        MaterialResponse plus, minus;
+        for (const double sign : {1., -1.})
+          {
+            Gradient F = F_general;
+            F[k][L] += sign * h;
+            flowing_response(
+              *law, F, p, 1., false, sign > 0. ? plus : minus);
+          }
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int J = 0; J < dim; ++J)
+            EXPECT_NEAR(response.A[dim * i + J][dim * k + L],
+                        (plus.P[i][J] - minus.P[i][J]) / (2 * h),
+                        1e-8);
+      }
 }

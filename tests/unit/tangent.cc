@@ -325,6 +325,50 @@ end
 
 
 
+  TEST(FlowingLiquid, IsStifferInMatricesThanInTheOperator)
+  {
+    // At rest: the operator has a ten-thousandth of the stiffness S that the liquid has
+    // against shear where it does not flow, the matrix has it twice.
+    Specimen                  body(segment);
+    ChainModel               &model   = *body.model;
+    const Tangent            &tangent = model.assembler.tangent();
+    constexpr unsigned int    n       = Tangent::n_per_cell;
+    std::vector<double>       x(n), flowing(n), K;
+    std::vector<std::vector<double>> solid;
+    for (unsigned int k = 0; k < n; ++k)
+      x[k] = std::sin(1. + k * k);
+    model.set_to(body.state);
+    model.assembler.linearise(body.state.solution, 0.);
+    for (const OwnedCell cell : model.body.owned_cells())
+      {
+        solid.emplace_back(n);
+        tangent.vmult_cell(cell.index, x.data(), solid.back().data());
+      }
+    model.references.let_liquid_flow(true);
+    model.assembler.linearise(body.state.solution, 0.);
+    for (const OwnedCell cell : model.body.owned_cells())
+      {
+        tangent.vmult_cell(cell.index, x.data(), flowing.data());
+        tangent.cell_matrix(cell.index, K);
+        double largest = 0.;
+        for (unsigned int r = 0; r < n; ++r)
+          {
+            double matrix = 0.;
+            for (unsigned int s = 0; s < n; ++s)
+              matrix += K[r * n + s] * x[s];
+            const double S = (solid[cell.index][r] - flowing[r]) / 0.9999;
+            EXPECT_NEAR(matrix - flowing[r], 1.9999 * S, 1e-12);
+            largest = std::max(largest, std::abs(S));
+          }
+        if (cell.is_liquid)
+          EXPECT_GT(largest, 1e-4);
+        else
+          EXPECT_EQ(largest, 0.);
+      }
+  }
+
+
+
   TEST_P(Tangents, AllLinearSolversAgree)
   {
     // A matrix like that of pressure_between.

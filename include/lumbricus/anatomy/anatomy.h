@@ -73,6 +73,10 @@ namespace lumbricus
     bool
     has_liquid() const;
 
+    /** Whether the laws of all liquids are such that they may flow. */
+    bool
+    liquids_may_flow() const;
+
     /** The muscles of tissue number @p tissue. */
     const std::vector<const Muscle *> &
     muscles_of(const unsigned int tissue) const;

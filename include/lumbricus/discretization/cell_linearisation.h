@@ -40,10 +40,13 @@ namespace lumbricus
           const double           *x,
           double                 *y) const;
 
-    /** Set @p K to the matrix, by rows, in the order of CellUnknowns. */
+    /** Set @p K to the matrix, by rows, in the order of CellUnknowns: that of
+     * vmult(), or, @p for_preconditioner, with what MaterialResponse::mu_missing
+     * adds in liquid that flows. */
     void
     matrix(const ShapeCache::Cell &cell,
            const double           *pressure_modes,
+           const bool              for_preconditioner,
            std::vector<double>    &K) const;
 
   private:
@@ -61,6 +64,7 @@ namespace lumbricus
     alignas(64) double A[n_pairs][padded_q]   = {};
     alignas(64) double Q[dim * dim][padded_q] = {};
     alignas(64) double dc_dp[padded_q]        = {};
+    double             mu_missing             = 0.;
   };
 } // namespace lumbricus
 

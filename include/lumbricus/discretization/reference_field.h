@@ -39,6 +39,11 @@ namespace lumbricus
     void
     update_liquid(const State &state);
 
+    /** Let the liquid flow, or no longer, as ReferencePoint::flows says: its rest
+     * shape is then without meaning, its stress-free volume as it was set. */
+    void
+    let_liquid_flow(const bool flows);
+
     /** Set all from a state, with loads taken at @p t. Throws ExcInput.
      * Collective. */
     void

@@ -43,10 +43,16 @@ namespace lumbricus
     void
     vmult_cell(const unsigned int i, const double *x, double *y) const;
 
-    /** Set @p K to the matrix of owned cell @p i, by rows, without
-     * constraints. */
+    /** Set @p K to the matrix of owned cell @p i, by rows, without constraints:
+     * what preconditioners are made of, which is stiffer than the operator where
+     * liquid flows. */
     void
     cell_matrix(const unsigned int i, std::vector<double> &K) const;
+
+    /** The same of the operator itself, for those who factor it in double
+     * precision. */
+    void
+    exact_cell_matrix(const unsigned int i, std::vector<double> &K) const;
 
     /** M_nm = int psi_n psi_m dV of owned cell @p i, by rows. */
     std::array<double,
@@ -81,6 +87,11 @@ namespace lumbricus
     const CellUnknowns &unknowns;
 
   private:
+    void
+    cell_matrix(const unsigned int   i,
+                const bool           for_preconditioner,
+                std::vector<double> &K) const;
+
     dealii::AlignedVector<CellLinearisation> cells;
     std::vector<int>                         of_surface_cell; // -1: none
     std::vector<SurfaceMatrix>               surface_matrices;

@@ -29,6 +29,13 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override;
 
+    /** Whether meshes are ever relaxed. */
+    bool
+    relaxes() const
+    {
+      return relax_below > 0.;
+    }
+
     /** What relaxing did. */
     struct Relaxation
     {
@@ -41,7 +48,23 @@ namespace lumbricus
     Relaxation
     relax(const Body &body, const CellUnknowns &unknowns, State &state) const;
 
+    /** The same after a load step in the liquid of every segment where the mesh
+     * is half as good as at rest then, or better than it was: where that is so,
+     * what the liquid's mesh is hangs on nothing but the surface of the liquid.
+     * Nothing where meshes are never relaxed. Collective. */
+    Relaxation
+    settle(const Body &body, const CellUnknowns &unknowns, State &state) const;
+
   private:
+    /** Relax the mesh of the segments of @p relaxation but for those whose
+     * quality would be less than @p least_quality; these are taken out of it. */
+    void
+    relax_segments(const Body                &body,
+                   const CellUnknowns        &unknowns,
+                   const std::vector<double> &least_quality,
+                   Relaxation                &relaxation,
+                   State                     &state) const;
+
     double relax_below = 1.;
   };
 } // namespace lumbricus

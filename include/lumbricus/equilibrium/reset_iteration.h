@@ -17,6 +17,10 @@ namespace lumbricus
    * membrane"): solve; where a segment's liquid diverges from the hydrostatic
    * state, make its present shape the stress-free one; solve again, until
    * every segment is hydrostatic. The solid keeps its stress.
+   *
+   * The state that this leads to is found at once where the liquid flows
+   * (ReferencePoint::flows): its shape is the stress-free one in every iteration
+   * of Newton's method, and what is reset after it is the shape of equilibrium.
    */
   class ResetIteration : public ParameterOwner
   {
@@ -44,6 +48,8 @@ namespace lumbricus
     {
       std::vector<Solve>        solves;   ///< in their order
       std::vector<unsigned int> n_resets; ///< per segment
+      /** Segments inside whose liquid the mesh was relaxed; empty for none. */
+      std::vector<bool> relaxed;
 
       /** Newton iterations of all solves. */
       unsigned int
@@ -59,7 +65,9 @@ namespace lumbricus
       ReferenceField      &references;  ///< what a reset changes
       LiquidWeight        &weight;      ///< of liquids, in what is measured
       const Body          &body;        ///< with the liquid
+      const CellUnknowns  &unknowns;    ///< on its cells
       dealii::TimerOutput &timer;       ///< of what resets take
+      const bool           slips; ///< the liquid does, along the wall
     };
 
     /** Solve @p model for the state at the time of @p state, coming from
@@ -72,14 +80,27 @@ namespace lumbricus
     void
     report_to(const Listener &new_listener);
 
-    /** Before a load step from @p state: relax the mesh inside the liquid where
-     * it asks for it, which is a reset too. Collective. */
+    /** Before a load step from @p state, unless its solve() does so in the end:
+     * relax the mesh inside the liquid where it asks for it, which is a reset
+     * too. Collective. */
     LiquidMesh::Relaxation
-    relax_mesh(State              &state,
-               const Body         &body,
-               const CellUnknowns &unknowns) const;
+    relax_mesh(State &state, const Model &model) const;
 
   private:
+    /** Whether the liquid flows while Newton's method goes on, so that it is
+     * hydrostatic after one solve. Collective. */
+    bool
+    lets_flow(const Model &model) const;
+
+    /** Say in @p solve what @p state is like. */
+    void
+    measure(const State &state, const Model &model, Solve &solve) const;
+
+    /** At the end of a load step in which the liquid flowed: put the nodes inside
+     * it where they belong. */
+    void
+    settle(State &state, const Model &model, Report &report) const;
+
     /** Make the present shape of the liquid stress-free in some segments. */
     void
     reset(State                   &state,
@@ -92,6 +113,7 @@ namespace lumbricus
     check_progress(const std::vector<Solve> &solves,
                    const std::vector<bool>  &diverges) const;
 
+    std::string  every          = "iteration";
     std::string  mode           = "isochoric";
     double       tolerance      = 1e-3;
     unsigned int least          = 0;

@@ -40,6 +40,12 @@ namespace lumbricus
              const bool                    with_tangent,
              MaterialResponse             &response) const override;
 
+    bool
+    may_flow() const override
+    {
+      return true;
+    }
+
     /** 1/kappa, zero for nu = 0.5 [mm^2/N]. */
     double
     compressibility() const;

@@ -23,6 +23,9 @@ namespace lumbricus
    *   Q = d2 psi / dF dp,     which is dP/dp = dc/dF,
    *
    *   dc_dp = d2 psi / dp2.
+   *
+   * A liquid that flows has no shear stress (flowing_response()). Its A has a
+   * small shear stiffness nevertheless, and a preconditioner more of it.
    */
   struct MaterialResponse
   {
@@ -31,6 +34,8 @@ namespace lumbricus
     double                 c;     ///< violated volume constraint
     double                 dc_dp; ///< [mm^2/N]
     double                 A[dim * dim][dim * dim]; ///< [N/mm^2]
+    /** The shear modulus that A lacks for a preconditioner [N/mm^2]. */
+    double mu_missing = 0.;
   };
 
 
@@ -60,6 +65,14 @@ namespace lumbricus
     /** The shear modulus mu at zero strain [N/mm^2]. */
     virtual double
     shear_modulus() const = 0;
+
+    /** Whether P is p J F^(-T) in a shape that is free of shear, so that a liquid
+     * of this law may flow (flowing_response()). */
+    virtual bool
+    may_flow() const
+    {
+      return false;
+    }
 
     /**
      * Multiply the stiffness by @p factor. Before the parameters are declared

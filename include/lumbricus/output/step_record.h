@@ -84,6 +84,17 @@ namespace lumbricus
           all.push_back(&adaptation.report);
       return all;
     }
+
+    /** Whether the mesh inside the liquid of segment @p s was relaxed before it
+     * or at its end. */
+    bool
+    is_relaxed(const unsigned int s) const
+    {
+      bool is = !relaxed.empty() && relaxed[s];
+      for (const ResetIteration::Report *of_solves : reports())
+        is = is || (!of_solves->relaxed.empty() && of_solves->relaxed[s]);
+      return is;
+    }
   };
 } // namespace lumbricus
 

@@ -22,6 +22,9 @@ namespace lumbricus
       dealii::unit_symmetric_tensor<dim, double>();
     /** The stress-free volume ratio, > 0. */
     double J_v = 1.;
+    /** Of a liquid that flows: the shape that it has is always its stress-free
+     * one, and G is not asked for. */
+    bool flows = false;
   };
 } // namespace lumbricus
 

@@ -59,7 +59,7 @@ namespace lumbricus
           add_segment(rows, solve, s);
           rows << n_resets << solve.qualities[s].liquid
                << solve.qualities[s].wall
-               << (!step.relaxed.empty() && step.relaxed[s]);
+               << step.is_relaxed(s);
           rows.end_row();
         }
     }
