@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "flexible_gmres.h"
-
 #include <lumbricus/core/state.h>
 #include <lumbricus/linear/approximate_inverse.h>
+#include <lumbricus/linear/flexible_gmres.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/vector_memory.h>
@@ -12,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace lumbricus

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/linear/flexible_gmres.h>
 #include <lumbricus/linear/kept_preconditioner.h>
 
 #include <deal.II/base/patterns.h>
@@ -9,7 +10,6 @@
 #include <utility>
 
 #include "bordered_system.h"
-#include "flexible_gmres.h"
 
 namespace lumbricus
 {
