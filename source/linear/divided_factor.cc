@@ -30,7 +30,8 @@ namespace lumbricus
                                const unsigned int           n_left_out,
                                const FreeNumbering         &numbering,
                                const MoreEntries           &more,
-                               const double                 dense_entries)
+                               const double                 dense_entries,
+                               const double                 shared_entries)
     : comm(comm)
     , rank(dealii::Utilities::MPI::this_mpi_process(comm))
     , symmetric(options.symmetric)
@@ -41,6 +42,7 @@ namespace lumbricus
     , fronts(std::make_unique<FrontTree>(tree,
                                          division.shared,
                                          numbering.size(),
+                                         shared_entries,
                                          comm))
   {
     const double largest =

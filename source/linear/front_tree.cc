@@ -55,10 +55,12 @@ namespace lumbricus
   FrontTree::FrontTree(const RankTree                   &tree,
                        const std::vector<SharedUnknown> &shared,
                        const unsigned int                first_more,
+                       const double                      least_shared,
                        const MPI_Comm                    comm)
     : comm(comm)
     , rank(dealii::Utilities::MPI::this_mpi_process(comm))
     , first_more(first_more)
+    , least_shared(least_shared)
   {
     std::vector<SharedUnknown> left = shared;
     std::vector<unsigned int>  sharing(1, rank); // of what is left
@@ -106,13 +108,15 @@ namespace lumbricus
     all.insert(all.end(), shared.halves[1].begin(), shared.halves[1].end());
     const unsigned int i_of_all =
       std::find(all.begin(), all.end(), rank) - all.begin();
-    node.speaks = i_of_all == 0;
-    node.group  = std::make_unique<RankGroup>(comm, all);
-    node.front  = std::make_unique<SharedFront>(shared.node,
-                                               of_halves,
-                                               i_of_all,
-                                               all.size());
-    left        = node.front->left();
+    node.speaks  = i_of_all == 0;
+    node.n_ranks = all.size();
+    node.front   = std::make_unique<SharedFront>(shared.node, of_halves);
+    if (node.front->n_entries() >= least_shared)
+      {
+        node.front->share(i_of_all, node.n_ranks);
+        node.group = std::make_unique<RankGroup>(comm, all);
+      }
+    left = node.front->left();
   }
 
 
@@ -151,7 +155,7 @@ namespace lumbricus
   {
     double sum = 0.;
     for (const Node &node : nodes)
-      sum += node.front->n_entries();
+      sum += node.front->n_entries() / node.n_ranks;
     return sum;
   }
 
@@ -162,7 +166,7 @@ namespace lumbricus
   {
     double sum = 0.;
     for (const Node &node : nodes)
-      sum += node.front->flops();
+      sum += node.front->flops() / node.n_ranks;
     return sum;
   }
 
@@ -188,9 +192,21 @@ namespace lumbricus
         // What is wrong goes on to the end, where it is said.
         is_regular = node.front->factor(of_halves, matrix) && is_regular;
         const unsigned int n_left_here = node.front->left().size();
-        node.group->gather(matrix.data(), n_left_here, n_left_here);
+        gather(node, matrix.data(), n_left_here, n_left_here);
       }
     return is_regular;
+  }
+
+
+
+  void
+  FrontTree::gather(const Node        &node,
+                    float             *values,
+                    const unsigned int n,
+                    const unsigned int n_numbers)
+  {
+    if (node.group != nullptr)
+      node.group->gather(values, n, n_numbers);
   }
 
 
@@ -230,8 +246,9 @@ namespace lumbricus
           entry += of_more[k_more];
         });
         node.front->reduce(node.all);
-        node.group->gather(node.all.data() + node.front->eliminated().size(),
-                           node.front->left().size());
+        gather(node,
+               node.all.data() + node.front->eliminated().size(),
+               node.front->left().size());
       }
     for (Node &node : nodes)
       node.front->solve_eliminated(node.all);
@@ -244,7 +261,7 @@ namespace lumbricus
         const unsigned int n = node->front->eliminated().size();
         std::copy(of_left.begin(), of_left.end(), node->all.begin() + n);
         node->front->expand(node->all);
-        node->group->gather(node->all.data(), n);
+        gather(*node, node->all.data(), n);
         if (node->speaks)
           for_more(*node, [&](float &entry, const unsigned int k_more) {
             of_more[k_more] = entry;

@@ -21,20 +21,22 @@ namespace lumbricus
    * factored by the SharedFronts on the RankTree.
    *
    * The ranks that share a node all know the same of it. On the way up each
-   * exchanges what is left with one of the other half, and they gather their
-   * rows of what is left then. On the way down they gather their rows of the
-   * solution, and tell those that have a share of the node below only. That makes
-   * one message and one collective call of at most RankTree::most_sharing ranks at
-   * each node, each way.
+   * exchanges what is left with one of the other half; on the way down it tells
+   * those that have a share of the node below only. Where a front is large each
+   * computes some rows of its products, and they gather them, each way: one
+   * call of at most RankTree::most_sharing ranks. A small one each has for itself,
+   * which takes less time than to gather.
    */
   class FrontTree
   {
   public:
     /** With the unknowns @p shared of this rank; those of no cell have numbers
-     * from @p first_more on. Collective, as are factor() and solve(). */
+     * from @p first_more on; rows of fronts with @p least_shared entries or more
+     * are shared. Collective, as are factor() and solve(). */
     FrontTree(const RankTree                   &tree,
               const std::vector<SharedUnknown> &shared,
               const unsigned int                first_more,
+              const double                      least_shared,
               const MPI_Comm                    comm);
 
     /** The most unknowns at a node with a share of this rank. */
@@ -71,8 +73,9 @@ namespace lumbricus
       std::vector<unsigned int> below;     ///< those that it tells the solution
       bool                      speaks;    ///< for all that share the node
 
-      std::unique_ptr<RankGroup>   group; ///< these
-      std::unique_ptr<SharedFront> front; ///< and this rank's share
+      unsigned int                 n_ranks; ///< these
+      std::unique_ptr<SharedFront> front;   ///< and this rank's share
+      std::unique_ptr<RankGroup>   group;   ///< where rows are shared
 
       std::array<std::vector<float>, 2> of_halves; ///< right-hand sides
       std::vector<float>                all;       ///< their sum; the solution
@@ -92,6 +95,13 @@ namespace lumbricus
     exchange(const Node                       &node,
              const std::vector<SharedUnknown> &unknowns) const;
 
+    /** Let ranks that share rows have all of @p n entries of so many numbers. */
+    static void
+    gather(const Node        &node,
+           float             *values,
+           const unsigned int n,
+           const unsigned int n_numbers = 1);
+
     /** Call a function with the entry in Node::all of each eliminated unknown that
      * no cell has, and which of these it is. */
     template <typename Function>
@@ -101,6 +111,7 @@ namespace lumbricus
     const MPI_Comm     comm;
     const unsigned int rank;
     const unsigned int first_more;
+    const double       least_shared;
     std::vector<Node>  nodes; // from below
     unsigned int       n_left; // by all of them
     unsigned int       above;  // who tells their solution

@@ -11,11 +11,9 @@ namespace lumbricus
 {
   SharedFront::SharedFront(
     const unsigned int                               node,
-    const std::array<std::vector<SharedUnknown>, 2> &halves,
-    const unsigned int                               i,
-    const unsigned int                               n)
-    : own_eliminated(0, i, n)
-    , own_left(0, i, n)
+    const std::array<std::vector<SharedUnknown>, 2> &halves)
+    : own_eliminated(0, 0, 1)
+    , own_left(0, 0, 1)
   {
     std::map<unsigned int, unsigned int> nodes; // of all, by number
     for (const auto &half : halves)
@@ -37,12 +35,19 @@ namespace lumbricus
     for (unsigned int k = 0; k < 2; ++k)
       for (const SharedUnknown &unknown : halves[k])
         places[k].push_back(place_of[unknown.number]);
-    own_eliminated = PartOfList(eliminated_numbers.size(), i, n);
-    own_left       = PartOfList(left_unknowns.size(), i, n);
-    uses_factors   = left_unknowns.empty() && n <= 2;
-    share          = 1. / n;
     of_eliminated.reinit(eliminated_numbers.size());
     of_left.reinit(left_unknowns.size());
+    share(0, 1);
+  }
+
+
+
+  void
+  SharedFront::share(const unsigned int i, const unsigned int n)
+  {
+    own_eliminated = PartOfList(eliminated_numbers.size(), i, n);
+    own_left       = PartOfList(left_unknowns.size(), i, n);
+    uses_factors   = left_unknowns.empty() && n == 2;
     of_own_eliminated.reinit(own_eliminated.size());
     of_own_left.reinit(own_left.size());
   }
@@ -53,7 +58,7 @@ namespace lumbricus
   SharedFront::n_entries() const
   {
     const double n_e = eliminated_numbers.size(), n_l = left_unknowns.size();
-    return share * n_e * (n_e + 2. * n_l);
+    return n_e * (n_e + 2. * n_l);
   }
 
 
@@ -62,7 +67,7 @@ namespace lumbricus
   SharedFront::flops() const
   {
     const double n_e = eliminated_numbers.size(), n_l = left_unknowns.size();
-    return share * 2. * n_e * (n_e * n_e / 3. + n_e * n_l + n_l * n_l);
+    return 2. * n_e * (n_e * n_e / 3. + n_e * n_l + n_l * n_l);
   }
 
 

@@ -31,12 +31,14 @@ namespace lumbricus
   class SharedFront
   {
   public:
-    /** At @p node, with what its two halves have left, in ascending order; by
-     * number @p i of @p n ranks. */
+    /** At @p node, with what its two halves have left, in ascending order; all
+     * rows, until share(). */
     SharedFront(const unsigned int                               node,
-                const std::array<std::vector<SharedUnknown>, 2> &halves,
-                const unsigned int                               i,
-                const unsigned int                               n);
+                const std::array<std::vector<SharedUnknown>, 2> &halves);
+
+    /** Keep the rows of number @p i of @p n ranks only. */
+    void
+    share(const unsigned int i, const unsigned int n);
 
     /** The numbers of the unknowns that are eliminated here, in the order in
      * which right-hand sides and solutions have them; those that are left
@@ -61,12 +63,11 @@ namespace lumbricus
       return eliminated_numbers.size() + left_unknowns.size();
     }
 
-    /** Entries that are kept, this rank's share. */
+    /** Entries that are kept, of all rows. */
     double
     n_entries() const;
 
-    /** Operations of a factorisation without what all ranks do, this rank's
-     * share. */
+    /** Operations of a factorisation. */
     double
     flops() const;
 
@@ -113,11 +114,10 @@ namespace lumbricus
     std::vector<SharedUnknown>               left_unknowns;
     std::array<std::vector<unsigned int>, 2> places; // of the halves', here
     PartOfList                               own_eliminated, own_left;
-    double                                   share; // of this rank
 
     /** Where two ranks share the root half of an inverse costs more than it
      * saves: both use the factors. */
-    bool uses_factors;
+    bool uses_factors = false;
 
     dealii::LAPACKFullMatrix<float> factors;      // of F_ee
     dealii::LAPACKFullMatrix<float> inverse_rows; // each a column

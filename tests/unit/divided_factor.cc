@@ -214,7 +214,8 @@ namespace
 
     void
     compare(const MoreEntries &more,
-            const double dense_entries = DividedFactor::most_dense_entries)
+            const double dense_entries = DividedFactor::most_dense_entries,
+            const double shared_entries = DividedFactor::least_shared_entries)
     {
       // Of the right-hand side every cell knows a part.
       Vector x, b;
@@ -251,7 +252,8 @@ namespace
                             n_private,
                             numbering,
                             more,
-                            dense_entries);
+                            dense_entries,
+                            shared_entries);
       factor(divided, more);
       divided.solve(x, of_more_divided);
       EXPECT_GT(divided.cost(), 0.);
@@ -306,6 +308,14 @@ namespace
   TEST_P(DividedFactors, HaveUnknownsThatNoCellHas)
   {
     compare(border());
+  }
+
+
+
+  TEST_P(DividedFactors, ShareTheRowsOfFronts)
+  {
+    compare({}, DividedFactor::most_dense_entries, 0.);
+    compare(border(), DividedFactor::most_dense_entries, 0.);
   }
 
 

@@ -27,9 +27,8 @@ namespace lumbricus
    *   S_r = A_ss - A_si A_ii^(-1) A_is
    *
    * is found by a Mumps of that rank alone, and the sum of all S_r is factored by
-   * the SharedFronts on the RankTree. To solve, each rank reduces its right-hand
-   * side, the tree is gone up to its root and down again, with a message each
-   * way at each of its edges, and each rank finds what is inside.
+   * a FrontTree. To solve, each rank reduces its right-hand side, the tree is gone
+   * up to its root and down again, and each rank finds what is inside.
    *
    * On one rank it is a Mumps. Where ranks share so much that dense matrices
    * would be larger than the factors of a body usually are, it is one Mumps on
@@ -42,9 +41,14 @@ namespace lumbricus
      * unknowns. */
     static constexpr double most_dense_entries = 500.;
 
+    /** Where a node of the tree has so many entries or more, ranks share its
+     * rows: a product with as many takes as long as two gatherings of eight
+     * ranks, 15 us. */
+    static constexpr double least_shared_entries = 1e5;
+
     /** For the unknowns in @p numbering, which is kept by reference, and the
      * pattern of Mumps::analyse(); with at most @p dense_entries times the number
-     * of unknowns in a dense matrix. Collective, as all functions are but the
+     * of unknowns in a dense matrix, and shared rows from @p shared_entries on. Collective, as all functions are but the
      * additions. */
     DividedFactor(const MPI_Comm               comm,
                   const Mumps<float>::Options &options,
@@ -52,7 +56,8 @@ namespace lumbricus
                   const unsigned int           n_left_out,
                   const FreeNumbering         &numbering,
                   const MoreEntries           &more,
-                  const double dense_entries = most_dense_entries);
+                  const double dense_entries  = most_dense_entries,
+                  const double shared_entries = least_shared_entries);
 
     ~DividedFactor();
 
