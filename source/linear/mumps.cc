@@ -2,6 +2,7 @@
 #include <lumbricus/linear/mumps.h>
 
 #include <deal.II/base/array_view.h>
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/types.h>
 
 #include <algorithm>

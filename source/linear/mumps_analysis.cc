@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/linear/mumps.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>

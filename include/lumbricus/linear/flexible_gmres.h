@@ -7,8 +7,8 @@
 namespace lumbricus
 {
   /**
-   * FGMRES without restarts, with few reductions (Saad 1993; Giraud, Langou,
-   * Rozloznik 2005): the Krylov basis V and the preconditioned vectors Z of
+   * FGMRES without restarts, with few reductions (Saad 1993; Giraud et al. 2005):
+   * the Krylov basis V and the preconditioned vectors Z of
    *
    *   A Z = V H,  x = Z y,  |b - A x| = min
    *
