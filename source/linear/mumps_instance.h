@@ -17,7 +17,9 @@ namespace lumbricus
   template <>
   struct Precision<double>
   {
-    using Data                 = DMUMPS_STRUC_C;
+    /** What it is called with. */
+    using Data = DMUMPS_STRUC_C;
+    /** Its only function. */
     static constexpr auto call = dmumps_c;
   };
 
@@ -25,7 +27,9 @@ namespace lumbricus
   template <>
   struct Precision<float>
   {
-    using Data                 = SMUMPS_STRUC_C;
+    /** What it is called with. */
+    using Data = SMUMPS_STRUC_C;
+    /** Its only function. */
     static constexpr auto call = smumps_c;
   };
 

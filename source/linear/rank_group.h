@@ -9,9 +9,10 @@
 
 namespace lumbricus
 {
-  /** What of a list of @p size is that of number @p i of @p n. */
+  /** What of a list one of several has. */
   struct PartOfList
   {
+    /** Of @p size entries, number @p i of @p n. */
     PartOfList(const unsigned int size, const unsigned int i, const unsigned int n)
       : first(static_cast<unsigned long long>(size) * i / n)
       , end(static_cast<unsigned long long>(size) * (i + 1) / n)
