@@ -143,20 +143,20 @@ def messages(names):
     subprocess.run(["cmake", "--build", str(BUILD), "--target",
                     "benchmark_messages"], check=True, stdout=subprocess.DEVNULL)
     header("case", "ranks", "messages of a rank, of the one with most",
+           "bytes in them", "calls of ranks that share a front",
            "bytes in them", "collective calls", "bytes in them",
            "linear iterations")
     for name in names:
         for ranks in RANKS:
             found = count_messages(name, ranks)
-            print(f"| {name} | {ranks} | " + " | ".join(
-                f"{found[what][0]:.1f}, {found[what][1]:.1f}"
-                if what == "messages" else
-                f"{found[what][0]:.0f}, {found[what][1]:.0f}"
-                if what == "bytes" else f"{found[what][0]:.1f}"
-                if what == "collectives" else f"{found[what][0]:.0f}"
-                for what in ("messages", "bytes", "collectives",
-                             "collective_bytes"))
-                + f" | {found['iterations'][1]:.0f} |", flush=True)
+
+            def both(what, digits):
+                return ", ".join(f"{n:.{digits}f}" for n in found[what])
+            print(f"| {name} | {ranks} | {both('messages', 1)} | "
+                  f"{both('bytes', 0)} | {both('shared', 1)} | "
+                  f"{both('shared_bytes', 0)} | {found['collectives'][0]:.1f} | "
+                  f"{found['collective_bytes'][0]:.0f} | "
+                  f"{found['iterations'][1]:.0f} |", flush=True)
 
 
 def main():

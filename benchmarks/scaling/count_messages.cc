@@ -52,6 +52,30 @@ namespace lumbricus
 
 extern "C"
 {
+  // Of some ranks only: nothing else calls it in an iteration.
+  int
+  MPI_Allgatherv(const void  *from,
+                 int          n,
+                 MPI_Datatype type,
+                 void        *to,
+                 const int   *counts,
+                 const int   *offsets,
+                 MPI_Datatype to_type,
+                 MPI_Comm     comm)
+  {
+    int rank;
+    PMPI_Comm_rank(comm, &rank);
+    const double bytes =
+      lumbricus::bytes_to_others(counts[rank], to_type, comm);
+    if (bytes >= 0.)
+      {
+        ++lumbricus::sent.shared;
+        lumbricus::sent.shared_bytes += bytes;
+      }
+    return PMPI_Allgatherv(
+      from, n, type, to, counts, offsets, to_type, comm);
+  }
+
   int
   MPI_Send(const void *data, int n, MPI_Datatype type, int to, int tag, MPI_Comm comm)
   {

@@ -11,6 +11,8 @@ namespace lumbricus
     double bytes            = 0; ///< in these
     double collectives      = 0; ///< calls that all ranks make together
     double collective_bytes = 0; ///< what this rank has for them
+    double shared           = 0; ///< calls of ranks that share a front
+    double shared_bytes     = 0; ///< what this rank has for them
 
     /** What was sent after @p other. */
     Sent
@@ -19,7 +21,9 @@ namespace lumbricus
       return {messages - other.messages,
               bytes - other.bytes,
               collectives - other.collectives,
-              collective_bytes - other.collective_bytes};
+              collective_bytes - other.collective_bytes,
+              shared - other.shared,
+              shared_bytes - other.shared_bytes};
     }
   };
 

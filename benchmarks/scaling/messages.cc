@@ -27,12 +27,18 @@ namespace
   void
   print(const Sent &of_all, const unsigned int n, const MPI_Comm comm)
   {
-    constexpr std::array<const char *, 4> names = {
-      {"messages", "bytes", "collectives", "collective_bytes"}};
+    constexpr std::array<const char *, 6> names = {{"messages",
+                                                  "bytes",
+                                                  "collectives",
+                                                  "collective_bytes",
+                                                  "shared",
+                                                  "shared_bytes"}};
     std::vector<double> each = {of_all.messages,
                                 of_all.bytes,
                                 of_all.collectives,
-                                of_all.collective_bytes};
+                                of_all.collective_bytes,
+                                of_all.shared,
+                                of_all.shared_bytes};
     for (double &number : each)
       number /= n;
     const auto of_ranks = dealii::Utilities::MPI::min_max_avg(each, comm);

@@ -84,7 +84,10 @@ namespace lumbricus
   {
     const Vector       &owned = x.block(1);
     std::vector<double> g(owned.begin(), owned.end());
-    return dealii::Utilities::MPI::broadcast(owned.get_mpi_communicator(), g);
+    g.resize(owned.size());
+    MPI_Bcast(
+      g.data(), g.size(), MPI_DOUBLE, 0, owned.get_mpi_communicator());
+    return g;
   }
 
 

@@ -7,115 +7,14 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <utility>
+
+#include "front_tree.h"
 
 namespace lumbricus
 {
   namespace
   {
-    // Messages between ranks that do the work for neighbours in the tree.
-    class Messages
-    {
-    public:
-      // Of the same numbers for all messages of this library.
-      enum Direction
-      {
-        up   = 2011,
-        down = 2012
-      };
-
-      explicit Messages(const MPI_Comm comm)
-        : comm(comm)
-      {}
-
-      ~Messages()
-      {
-        MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);
-      }
-
-      // The values have to stay until the end of this object. Nothing is sent
-      // where there are none, or nobody is there.
-      template <typename Number>
-      void
-      send(const std::vector<Number> &values,
-           const unsigned int         to,
-           const Direction            direction)
-      {
-        if (values.empty() || to == RankTree::none)
-          return;
-        requests.emplace_back();
-        MPI_Isend(values.data(),
-                  values.size(),
-                  type_of(values.data()),
-                  to,
-                  direction,
-                  comm,
-                  &requests.back());
-      }
-
-      // As many as there is room for.
-      template <typename Number>
-      void
-      receive(std::vector<Number> &values,
-              const unsigned int   from,
-              const Direction      direction) const
-      {
-        if (!values.empty())
-          MPI_Recv(values.data(),
-                   values.size(),
-                   type_of(values.data()),
-                   from,
-                   direction,
-                   comm,
-                   MPI_STATUS_IGNORE);
-      }
-
-    private:
-      static MPI_Datatype
-      type_of(const float *)
-      {
-        return MPI_FLOAT;
-      }
-
-      static MPI_Datatype
-      type_of(const unsigned int *)
-      {
-        return MPI_UNSIGNED;
-      }
-
-      const MPI_Comm           comm;
-      std::vector<MPI_Request> requests;
-    };
-
-
-
-    // A list with its length, and back.
-    std::array<std::vector<unsigned int>, 2>
-    as_numbers(const std::vector<SharedUnknown> &unknowns)
-    {
-      std::array<std::vector<unsigned int>, 2> numbers;
-      numbers[0].push_back(2 * unknowns.size());
-      for (const SharedUnknown &unknown : unknowns)
-        numbers[1].insert(numbers[1].end(), {unknown.number, unknown.node});
-      return numbers;
-    }
-
-
-
-    std::vector<SharedUnknown>
-    receive_unknowns(const Messages &messages, const unsigned int from)
-    {
-      std::vector<unsigned int> size(1), numbers;
-      messages.receive(size, from, Messages::up);
-      numbers.resize(size[0]);
-      messages.receive(numbers, from, Messages::up);
-      std::vector<SharedUnknown> unknowns;
-      for (unsigned int k = 0; k < numbers.size(); k += 2)
-        unknowns.push_back({numbers[k], numbers[k + 1]});
-      return unknowns;
-    }
-
-
-
     double
     square(const double x)
     {
@@ -131,7 +30,8 @@ namespace lumbricus
                                const unsigned int           n_left_out,
                                const FreeNumbering         &numbering,
                                const MoreEntries           &more,
-                               const double                 dense_entries)
+                               const double                 dense_entries,
+                               const double                 shared_entries)
     : comm(comm)
     , rank(dealii::Utilities::MPI::this_mpi_process(comm))
     , symmetric(options.symmetric)
@@ -139,12 +39,16 @@ namespace lumbricus
     , numbering(numbering)
     , n_more(more.n_unknowns)
     , division(unknowns, n_left_out, numbering, more, tree, comm)
-    , above_rank(tree.parent_of_rank(rank))
+    , fronts(std::make_unique<FrontTree>(tree,
+                                         division.shared,
+                                         numbering.size(),
+                                         shared_entries,
+                                         comm))
   {
-    plan_tree();
     const double largest =
-      dealii::Utilities::MPI::max(std::max(square(division.shared.size()),
-                                           front ? square(front->size()) : 0.),
+      dealii::Utilities::MPI::max(square(
+                                    std::max<double>(division.shared.size(),
+                                                     fronts->largest_front())),
                                   comm);
     // MPI counts with an int.
     is_divided = largest <= std::min(dense_entries * numbering.size(),
@@ -153,36 +57,10 @@ namespace lumbricus
       plan_inside(options, unknowns, n_left_out, more);
     else
       {
-        front.reset();
+        fronts.reset();
         mumps = std::make_unique<Mumps<float>>(comm, options, numbering);
         mumps->analyse(unknowns, unknowns.n_cells(), n_left_out, more);
       }
-  }
-
-
-
-  void
-  DividedFactor::plan_tree()
-  {
-    const auto own = as_numbers(division.shared);
-    std::array<std::vector<unsigned int>, 2> left;
-    Messages                                 messages(comm);
-    for (const auto &numbers : own)
-      messages.send(numbers, above_rank, Messages::up);
-    if (rank == 0)
-      return;
-    below_node = tree.children(rank);
-    above_node = tree.parent_of_node(rank);
-    std::array<std::vector<SharedUnknown>, 2> children;
-    for (unsigned int i = 0; i < 2; ++i)
-      {
-        children[i] = receive_unknowns(messages, below_node[i]);
-        of_children[i].resize(children[i].size());
-      }
-    front = std::make_unique<SharedFront>(rank, children);
-    left  = as_numbers(front->left());
-    for (const auto &numbers : left)
-      messages.send(numbers, above_node, Messages::up);
   }
 
 
@@ -267,6 +145,10 @@ namespace lumbricus
 
 
 
+  DividedFactor::~DividedFactor() = default;
+
+
+
   double
   DividedFactor::planned_flops() const
   {
@@ -274,7 +156,7 @@ namespace lumbricus
       dealii::Utilities::MPI::sum((is_divided || rank == 0 ?
                                      mumps->planned_flops() :
                                      0.) +
-                                    (front ? front->flops() : 0.),
+                                    (is_divided ? fronts->flops() : 0.),
                                   comm);
     return on_all_ranks;
   }
@@ -285,7 +167,7 @@ namespace lumbricus
   DividedFactor::planned_megabytes() const
   {
     const double entries =
-      square(shared_numbers.size()) + (front ? front->n_entries() : 0.);
+      square(shared_numbers.size()) + (is_divided ? fronts->n_entries() : 0.);
     return dealii::Utilities::MPI::max(mumps->planned_megabytes() +
                                          entries * sizeof(float) / 1e6,
                                        comm);
@@ -326,8 +208,8 @@ namespace lumbricus
     if (is_divided)
       {
         factor_shared();
-        flops += front ? front->flops() : 0.;
-        entries += front ? front->n_entries() : 0.;
+        flops += fronts->flops();
+        entries += fronts->n_entries();
         flops   = dealii::Utilities::MPI::sum(flops, comm);
         entries = dealii::Utilities::MPI::sum(entries, comm);
       }
@@ -340,31 +222,11 @@ namespace lumbricus
   DividedFactor::factor_shared()
   {
     const std::size_t  n = shared_numbers.size();
-    std::vector<float> matrix, left;
-    bool               is_singular = false;
-    {
-      Messages messages(comm);
-      if (above_rank != RankTree::none)
-        {
-          matrix = mumps->left_matrix();
-          for (std::size_t r = 0; symmetric && r < n; ++r)
-            for (std::size_t s = 0; s < r; ++s)
-              matrix[s * n + r] = matrix[r * n + s];
-          messages.send(matrix, above_rank, Messages::up);
-        }
-      if (front)
-        {
-          std::array<std::vector<float>, 2> matrices;
-          for (unsigned int i = 0; i < 2; ++i)
-            {
-              const std::size_t n_child = of_children[i].size();
-              matrices[i].resize(n_child * n_child);
-              messages.receive(matrices[i], below_node[i], Messages::up);
-            }
-          is_singular = !front->factor(matrices, left);
-          messages.send(left, above_node, Messages::up);
-        }
-    }
+    std::vector<float> matrix = mumps->left_matrix();
+    for (std::size_t r = 0; symmetric && r < n; ++r)
+      for (std::size_t s = 0; s < r; ++s)
+        matrix[s * n + r] = matrix[r * n + s];
+    const bool is_singular = !fronts->factor(std::move(matrix));
     AssertThrow(!dealii::Utilities::MPI::logical_or(is_singular, comm),
                 ExcNotConverged("The tangent matrix is singular"));
   }
@@ -397,7 +259,7 @@ namespace lumbricus
       of_shared[k] = x.local_element(division.shared_places[k]);
 
     mumps->reduce(inside_values, of_shared);
-    solve_shared(of_more);
+    fronts->solve(of_shared, of_more);
     mumps->expand(of_shared, inside_values);
 
     for (unsigned int k = 0; k < division.shared_places.size(); ++k)
@@ -414,50 +276,6 @@ namespace lumbricus
                  MPI_SUM,
                  0,
                  comm);
-  }
-
-
-
-  void
-  DividedFactor::solve_shared(std::vector<float> &of_more)
-  {
-    const unsigned int first_more = numbering.size();
-    std::vector<float> solutions(n_more, 0.);
-    std::vector<float> up = of_shared, all, left;
-    std::array<std::vector<float>, 2> down;
-    {
-      Messages messages(comm);
-      messages.send(up, above_rank, Messages::up);
-      if (front)
-        {
-          const auto &eliminated = front->eliminated();
-          const auto  n          = eliminated.size();
-          for (unsigned int i = 0; i < 2; ++i)
-            messages.receive(of_children[i], below_node[i], Messages::up);
-          front->sum(of_children, all);
-          for (unsigned int k = 0; k < n; ++k)
-            if (eliminated[k] >= first_more)
-              all[k] += of_more[eliminated[k] - first_more];
-          front->reduce(all);
-          left.assign(all.begin() + n, all.end());
-          messages.send(left, above_node, Messages::up);
-          std::vector<float> of_left(left.size());
-          messages.receive(of_left, above_node, Messages::down);
-          std::copy(of_left.begin(), of_left.end(), all.begin() + n);
-          front->expand(all);
-          for (unsigned int k = 0; k < n; ++k)
-            if (eliminated[k] >= first_more)
-              solutions[eliminated[k] - first_more] = all[k];
-          for (unsigned int i = 0; i < 2; ++i)
-            {
-              front->extract(i, all, down[i]);
-              messages.send(down[i], below_node[i], Messages::down);
-            }
-        }
-      if (above_rank != RankTree::none)
-        messages.receive(of_shared, above_rank, Messages::down);
-    }
-    of_more = solutions;
   }
 
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/linear/flexible_gmres.h>
 #include <lumbricus/linear/kept_preconditioner.h>
 
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/timer.h>
-#include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/solver_gmres.h>
 
 #include <algorithm>
 #include <utility>
@@ -233,25 +232,16 @@ namespace lumbricus
                               const VectorType &b,
                               const double      tolerance)
   {
-    dealii::Timer         timer;
-    dealii::SolverControl control(most_iterations, tolerance * b.l2_norm());
-    // With a basis of one vector FGMRES counts no iterations, and does not end.
-    dealii::SolverFGMRES<VectorType> solver(
-      control,
-      typename dealii::SolverFGMRES<VectorType>::AdditionalData(
-        std::max(2u, most_iterations)));
-    bool converged = true;
-    x              = 0.;
-    try
-      {
-        solver.solve(system, x, b, inverse);
-      }
-    catch (const dealii::SolverControl::NoConvergence &)
-      {
-        converged = false;
-      }
-    age.solved(control.last_step(), tolerance);
-    count_iterations(control.last_step());
+    dealii::Timer             timer;
+    FlexibleGmres<VectorType> solver(most_iterations);
+    const bool                converged = solver.solve(
+      [&](VectorType &y, const VectorType &v) { system.vmult(y, v); },
+      [&](VectorType &y, const VectorType &v) { inverse.vmult(y, v); },
+      x,
+      b,
+      tolerance);
+    age.solved(solver.n_iterations(), tolerance);
+    count_iterations(solver.n_iterations());
     counts.solve_seconds += timer.wall_time();
     return converged;
   }

@@ -1,114 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/out_of_memory.h>
 #include <lumbricus/linear/mumps.h>
 
 #include <deal.II/base/array_view.h>
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/types.h>
-
-#include <dmumps_c.h>
-#include <smumps_c.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <exception>
 #include <new>
-#include <numeric>
 #include <string>
-#include <utility>
+
+#include "mumps_errors.h"
+#include "mumps_instance.h"
 
 namespace lumbricus
 {
-  namespace
-  {
-    // MUMPS' names for what run() does.
-    constexpr int initialise = -1, terminate = -2, analysis = 1, factorise = 2,
-                  back_substitute = 3;
-
-    const std::string advice =
-      "Its manual says what that is. Try another 'Linear solver/Method'.";
-
-    // Delayed pivots may need more room than the analysis foresaw.
-    constexpr int out_of_estimate[] = {-8, -9, -20};
-
-    // Real and integer workspace, and what it allocates besides; more room than
-    // was foreseen, where that is not to be had either; its own limit.
-    constexpr int out_of_memory[] = {
-      -5, -7, -8, -9, -11, -13, -14, -15, -19, -20};
-
-    template <std::size_t n>
-    bool
-    is_one_of(const int code, const int (&codes)[n])
-    {
-      return std::find(codes, codes + n, code) != codes + n;
-    }
-
-    // What of MUMPS depends on the precision.
-    template <typename Number>
-    struct Precision;
-
-    template <>
-    struct Precision<double>
-    {
-      using Data                 = DMUMPS_STRUC_C;
-      static constexpr auto call = dmumps_c;
-
-      static MPI_Datatype
-      mpi()
-      {
-        return MPI_DOUBLE;
-      }
-    };
-
-    template <>
-    struct Precision<float>
-    {
-      using Data                 = SMUMPS_STRUC_C;
-      static constexpr auto call = smumps_c;
-
-      static MPI_Datatype
-      mpi()
-      {
-        return MPI_FLOAT;
-      }
-    };
-  } // namespace
-
-
-
-  /** What MUMPS is called with: its structure, by the numbers of its manual,
-   * which start at one. */
-  template <typename Number>
-  struct Mumps<Number>::Instance
-  {
-    /** Of dmumps_c.h or smumps_c.h. */
-    typename Precision<Number>::Data data;
-
-    /** ICNTL(i), an option. */
-    MUMPS_INT &
-    control(const int i)
-    {
-      return data.icntl[i - 1];
-    }
-
-    /** INFOG(i), the same on all ranks; what is negative is an error. */
-    MUMPS_INT
-    info(const int i) const
-    {
-      return data.infog[i - 1];
-    }
-
-    /** RINFOG(i), the same on all ranks. */
-    double
-    real_info(const int i) const
-    {
-      return data.rinfog[i - 1];
-    }
-  };
-
-
-
   template <typename Number>
   Mumps<Number>::Mumps(const MPI_Comm       comm,
                        const Options       &options,
@@ -126,7 +33,7 @@ namespace lumbricus
     instance->data.par          = 1; // rank 0 works too
     instance->data.sym          = symmetric ? (options.pivoting ? 2 : 1) : 0;
     instance->data.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(comm));
-    run(initialise);
+    run(Instance::initialise);
 
     instance->control(1)  = -1; // no messages: factor() looks at the result
     instance->control(2)  = -1;
@@ -158,7 +65,7 @@ namespace lumbricus
     // else is wrong there, the others are not here.
     if (std::uncaught_exceptions() > 0 && !is_alone)
       return;
-    instance->data.job = terminate;
+    instance->data.job = Instance::terminate;
     Precision<Number>::call(&instance->data);
   }
 
@@ -178,226 +85,11 @@ namespace lumbricus
   void
   Mumps<Number>::check(const std::string &what) const
   {
-    // The same on all ranks of comm. Other ranks that are told have a MUMPS of
-    // their own, which may be content.
-    const int code = comm == told ?
-                       instance->info(1) :
-                       dealii::Utilities::MPI::min(instance->info(1), told);
-    if (code >= 0)
-      return;
-    AssertThrow(code != -10,
-                ExcNotConverged("The tangent matrix is singular"));
-    const bool is_here = instance->info(1) == code;
-    const int  detail  = dealii::Utilities::MPI::max(
-      is_here ? std::abs(instance->info(2)) : 0, told);
-    if (is_one_of(code, out_of_memory))
-      {
-        // Entries, in millions where there are many; only the rank concerned
-        // has the code itself.
-        const bool in_millions = dealii::Utilities::MPI::logical_or(
-          is_here && instance->info(2) < 0, told);
-        const double       entries_lacking = in_millions ? 1e6 * detail : detail;
-        const bool         integers        = code == -7 || code == -8;
-        const unsigned int n_ranks =
-          dealii::Utilities::MPI::n_mpi_processes(told);
-        const unsigned int rank = dealii::Utilities::MPI::min(
-          instance->data.info[0] == code ?
-            dealii::Utilities::MPI::this_mpi_process(told) :
-            n_ranks,
-          told);
-        AssertThrow(false,
-                    ExcSolveFailed(
-                      out_of_memory_message(
-                        entries_lacking *
-                          (integers ? sizeof(MUMPS_INT) : sizeof(Number)),
-                        rank < n_ranks ? rank : 0,
-                        told) +
-                      " (In the " + what + " by MUMPS, code " +
-                      std::to_string(code) + ".)"));
-      }
-    AssertThrow(false,
-                ExcSolveFailed("The " + what + " by MUMPS failed with code " +
-                               std::to_string(code) + ", " +
-                               std::to_string(detail) + ". " + advice));
-  }
-
-
-
-  template <typename Number>
-  void
-  Mumps<Number>::add_pattern(const unsigned int *places, const unsigned int n)
-  {
-    for (unsigned int r = 0; r < n; ++r)
-      for (unsigned int s = 0; s < (symmetric ? r + 1 : n); ++s)
-        {
-          // MUMPS counts from one.
-          const int row    = numbering.number(places[r]) + 1;
-          const int column = numbering.number(places[s]) + 1;
-          rows.push_back(symmetric ? std::max(row, column) : row);
-          columns.push_back(symmetric ? std::min(row, column) : column);
-        }
-  }
-
-
-
-  template <typename Number>
-  void
-  Mumps<Number>::analyse(const CellUnknowns              &unknowns,
-                         const unsigned int               n_cells,
-                         const unsigned int               n_left_out,
-                         const MoreEntries               &more,
-                         const std::vector<unsigned int> &not_eliminated)
-  {
-    const bool is_first = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
-    for (unsigned int i = 0; i < n_cells; ++i)
-      {
-        const auto places = unknowns.free_unknowns(i);
-        add_pattern(places.data() + n_left_out, places.size() - n_left_out);
-      }
-    std::vector<int> order;
-    if (more.n_unknowns > 0 || !not_eliminated.empty())
-      {
-        order                  = order_with(more, not_eliminated);
-        instance->control(7)   = 1; // the ordering is given
-        instance->data.perm_in = order.data();
-      }
-    left_unknowns.clear();
-    for (const unsigned int number : not_eliminated)
-      left_unknowns.push_back(number + 1);
-    for (const MatrixEntries *entries : {&more.own, &more.common})
-      if (entries == &more.own || is_first)
-        for (unsigned int k = 0; k < entries->rows.size(); ++k)
-          {
-            rows.push_back(entries->rows[k] + 1);
-            columns.push_back(entries->columns[k] + 1);
-          }
-
-    // MUMPS counts from one.
-    const unsigned int n_given = numbering.n_owned();
-    unsigned int       first   = 0;
-    MPI_Exscan(&n_given, &first, 1, MPI_UNSIGNED, MPI_SUM, comm);
-    given.resize(n_given + (is_first ? more.n_unknowns : 0));
-    std::iota(given.begin(), given.begin() + n_given, first + 1);
-    std::iota(given.begin() + n_given, given.end(), numbering.size() + 1);
-    plan(numbering.size() + more.n_unknowns);
-    check("analysis of the matrix");
-  }
-
-
-
-  template <typename Number>
-  void
-  Mumps<Number>::plan(const unsigned int n_unknowns)
-  {
-    entries.resize(rows.size());
-    auto &data   = instance->data;
-    data.n       = n_unknowns;
-    data.nnz_loc = rows.size();
-    data.irn_loc = rows.data();
-    data.jcn_loc = columns.data();
-    data.a_loc   = entries.data();
-    const std::size_t n_left = left_unknowns.size();
-    left.resize(n_left * n_left);
-    // What is left is given back by rows.
-    instance->control(19) = n_left > 0 ? 1 : 0;
-    data.size_schur       = n_left;
-    data.listvar_schur    = left_unknowns.data();
-    data.schur            = left.data();
-    data.lredrhs          = n_left;
-    Assert(n_left == 0 || is_alone, dealii::ExcInternalError());
-    run(analysis);
-  }
-
-
-
-  template <typename Number>
-  std::vector<int>
-  Mumps<Number>::planned_positions(const unsigned int n_unknowns)
-  {
-    // The first rank knows them. Not all ranks that are told are here: what goes
-    // wrong now will do so again where they are.
-    plan(n_unknowns);
-    std::vector<int> positions(n_unknowns);
-    std::iota(positions.begin(), positions.end(), 1);
-    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0 &&
-        instance->info(1) >= 0)
-      std::copy_n(instance->data.sym_perm, n_unknowns, positions.begin());
-    MPI_Bcast(positions.data(), n_unknowns, MPI_INT, 0, comm);
-    return positions;
-  }
-
-
-
-  template <typename Number>
-  std::vector<int>
-  Mumps<Number>::positions_with_left(const unsigned int n_left)
-  {
-    const unsigned int n            = numbering.size();
-    const unsigned int n_eliminated = n - n_left;
-    std::vector<int>   every(n);
-    std::iota(every.begin(), every.end(), 1);
-    if (n_eliminated == 1)
-      return every;
-
-    // With what is left MUMPS orders by minimum degrees: with rounding errors that
-    // cost iterations, and far more operations where much is left. So it dissects
-    // those that are eliminated, and does not know the others.
-    std::vector<int> all_rows, all_columns;
-    all_rows.swap(rows);
-    all_columns.swap(columns);
-    for (std::size_t k = 0; k < all_rows.size(); ++k)
-      if (std::max(all_rows[k], all_columns[k]) <= int(n_eliminated))
-        {
-          rows.push_back(all_rows[k]);
-          columns.push_back(all_columns[k]);
-        }
-    left_unknowns.clear();
-    std::vector<int> positions = planned_positions(n_eliminated);
-    positions.insert(positions.end(), every.begin() + n_eliminated, every.end());
-    rows.swap(all_rows);
-    columns.swap(all_columns);
-    return positions;
-  }
-
-
-
-  template <typename Number>
-  std::vector<int>
-  Mumps<Number>::order_with(const MoreEntries               &more,
-                            const std::vector<unsigned int> &not_eliminated)
-  {
-    const unsigned int n = numbering.size();
-    const unsigned int n_left_of_cells =
-      std::count_if(not_eliminated.begin(),
-                    not_eliminated.end(),
-                    [n](const unsigned int number) { return number < n; });
-    std::vector<int> positions = n_left_of_cells > 0 ?
-                                   positions_with_left(n_left_of_cells) :
-                                   planned_positions(n);
-
-    // Where the others come among them.
-    std::vector<int> last(more.n_unknowns, 0);
-    for (unsigned int k = 0; k < more.own.rows.size(); ++k)
-      for (const auto &[global, other] :
-           {std::make_pair(more.own.rows[k], more.own.columns[k]),
-            std::make_pair(more.own.columns[k], more.own.rows[k])})
-        if (global >= n && other < n)
-          last[global - n] = std::max(last[global - n], positions[other]);
-    dealii::Utilities::MPI::max(last, comm, last);
-    for (const unsigned int number : not_eliminated)
-      if (number >= n)
-        last[number - n] = n;
-
-    // Each goes behind the last one that it hangs together with.
-    std::vector<int> shift(n + 2, 0);
-    for (const int position : last)
-      ++shift[position + 1];
-    std::partial_sum(shift.begin(), shift.end(), shift.begin());
-    for (int &position : positions)
-      position += shift[position];
-    for (const int position : last)
-      positions.push_back(position + shift[position]++ + 1);
-    return positions;
+    check_mumps({instance->info(1), instance->info(2), instance->data.info[0]},
+                what,
+                sizeof(Number),
+                comm == told,
+                told);
   }
 
 
@@ -464,8 +156,8 @@ namespace lumbricus
     constexpr int most_percent = 1000;
     while (true)
       {
-        run(factorise);
-        if (!is_one_of(instance->info(1), out_of_estimate) ||
+        run(Instance::factorise);
+        if (!is_out_of_estimate(instance->info(1)) ||
             instance->control(14) >= most_percent)
           break;
         instance->control(14) *= 2;
@@ -502,7 +194,7 @@ namespace lumbricus
         data.lsol_loc         = found.size();
         data.isol_loc         = found.data();
         data.sol_loc          = found_values.data();
-        run(back_substitute);
+        run(Instance::back_substitute);
         check("back substitution");
         found_values.resize(data.info[22]);
         if (!is_found_known)
@@ -534,14 +226,14 @@ namespace lumbricus
   Mumps<Number>::solve_alone(std::vector<Number> &values)
   {
     instance->data.rhs = values.data();
-    run(back_substitute);
+    run(Instance::back_substitute);
     if (comm == told)
       check("back substitution");
     else
       {
         // To ask the others every time would take longer than to end them.
         const int code = instance->info(1);
-        if (is_one_of(code, out_of_memory))
+        if (is_out_of_memory(code))
           throw std::bad_alloc();
         AssertThrow(code >= 0,
                     dealii::ExcMessage("The back substitution by MUMPS on a rank "

@@ -6,17 +6,19 @@
 #include <lumbricus/linear/free_numbering.h>
 #include <lumbricus/linear/mumps.h>
 #include <lumbricus/linear/rank_tree.h>
-#include <lumbricus/linear/shared_front.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace lumbricus
 {
+  class FrontTree;
+
+
+
   /**
    * A factorisation in single precision of a sum of cells' matrices, in which
    * ranks talk about what they share and nothing else (substructuring). With the
@@ -25,9 +27,8 @@ namespace lumbricus
    *   S_r = A_ss - A_si A_ii^(-1) A_is
    *
    * is found by a Mumps of that rank alone, and the sum of all S_r is factored by
-   * the SharedFronts on the RankTree. To solve, each rank reduces its right-hand
-   * side, the tree is gone up to its root and down again, with a message each
-   * way at each of its edges, and each rank finds what is inside.
+   * a FrontTree. To solve, each rank reduces its right-hand side, the tree is gone
+   * up to its root and down again, and each rank finds what is inside.
    *
    * On one rank it is a Mumps. Where ranks share so much that dense matrices
    * would be larger than the factors of a body usually are, it is one Mumps on
@@ -40,9 +41,14 @@ namespace lumbricus
      * unknowns. */
     static constexpr double most_dense_entries = 500.;
 
+    /** Where a node of the tree has so many entries or more, ranks share its
+     * rows: a product with as many takes as long as two gatherings of eight
+     * ranks, 15 us. */
+    static constexpr double least_shared_entries = 1e5;
+
     /** For the unknowns in @p numbering, which is kept by reference, and the
      * pattern of Mumps::analyse(); with at most @p dense_entries times the number
-     * of unknowns in a dense matrix. Collective, as all functions are but the
+     * of unknowns in a dense matrix, and shared rows from @p shared_entries on. Collective, as all functions are but the
      * additions. */
     DividedFactor(const MPI_Comm               comm,
                   const Mumps<float>::Options &options,
@@ -50,7 +56,14 @@ namespace lumbricus
                   const unsigned int           n_left_out,
                   const FreeNumbering         &numbering,
                   const MoreEntries           &more,
-                  const double dense_entries = most_dense_entries);
+                  const double dense_entries  = most_dense_entries,
+                  const double shared_entries = least_shared_entries);
+
+    ~DividedFactor();
+
+    DividedFactor(const DividedFactor &) = delete;
+    DividedFactor &
+    operator=(const DividedFactor &) = delete;
 
     /** Operations of the factorisation that is planned, on all ranks, without
      * compression. */
@@ -96,10 +109,6 @@ namespace lumbricus
     }
 
   private:
-    /** Agree with the tree's neighbours about what is shared. */
-    void
-    plan_tree();
-
     /** Let the Mumps of this rank analyse what is inside. */
     void
     plan_inside(const Mumps<float>::Options &options,
@@ -114,13 +123,6 @@ namespace lumbricus
     /** Factor the sum of what all ranks have left. */
     void
     factor_shared();
-
-    /** Go up and down the tree, from what is left of this rank's right-hand side
-     * in of_shared to the solution there. Of the unknowns that no cell has all
-     * ranks know the right-hand side @p of_more; it becomes the solution in those
-     * that are eliminated here, 0 in others. */
-    void
-    solve_shared(std::vector<float> &of_more);
 
     /** As solve(), by one Mumps on all ranks. */
     void
@@ -142,16 +144,11 @@ namespace lumbricus
     std::vector<unsigned int>     shared_numbers;
     std::unique_ptr<Mumps<float>> mumps;
 
-    /** At this rank's node of the tree, and the ranks that do the work above the
-     * rank, above its node and below that. */
-    std::unique_ptr<SharedFront> front;
-    unsigned int                 above_rank;
-    unsigned int                 above_node = RankTree::none;
-    std::array<unsigned int, 2>  below_node = {};
+    /** Where it is divided. */
+    std::unique_ptr<FrontTree> fronts;
 
-    std::vector<float>                inside_values, of_shared;
-    std::array<std::vector<float>, 2> of_children;
-    double                            factor_cost = 0.;
+    std::vector<float> inside_values, of_shared;
+    double             factor_cost = 0.;
   };
 } // namespace lumbricus
 

@@ -229,11 +229,9 @@ namespace lumbricus
     std::vector<int>
     positions_with_left(const unsigned int n_left);
 
-    /** The position of every unknown in an ordering with @p more, on all ranks.
-     * Each of these comes after all others in its row: then what is left of its
-     * diagonal is what the whole gives, and not that of the first few unknowns,
-     * beside which the rest would be lost in rounding. Those not eliminated, which
-     * have the last numbers of the cells' unknowns and of the others, come last. */
+    /** The position of every unknown in an ordering with @p more, on all ranks,
+     * as ordering_with() makes it. Those not eliminated, which have the last
+     * numbers of the cells' unknowns and of the others, come last. */
     std::vector<int>
     order_with(const MoreEntries               &more,
                const std::vector<unsigned int> &not_eliminated);

@@ -3,15 +3,15 @@
 #define lumbricus_linear_rank_tree_h
 
 #include <array>
+#include <vector>
 
 namespace lumbricus
 {
   /**
    * All ranks, halved again and again until each is alone: a binary tree with
-   * the ranks as leaves. Each of its nodes is the first rank of its second half;
-   * every rank but 0 is so just one node, for which it does the work, and the
-   * depth is the logarithm of the number of ranks. Ranks that follow each other
-   * have neighbouring parts of the mesh.
+   * the ranks as leaves. Each of its nodes has the number of the first rank of its
+   * second half; the depth is the logarithm of the number of ranks. Ranks that
+   * follow each other have neighbouring parts of the mesh.
    */
   class RankTree
   {
@@ -29,18 +29,22 @@ namespace lumbricus
     unsigned int
     lowest_node(const unsigned int first, const unsigned int last) const;
 
-    /** The node above a rank; none where there is one rank only. */
-    unsigned int
-    parent_of_rank(const unsigned int rank) const;
+    /** What is done at a node is shared by at most this number of ranks. */
+    static constexpr unsigned int most_sharing = 8;
 
-    /** The node above a node; none where that is the root. */
-    unsigned int
-    parent_of_node(const unsigned int node) const;
+    /** A node, and the ranks that share what is done at it, by the halves that
+     * they are in. Each of them has a share of what is done at the node below,
+     * or is that rank: it is one of the first there. */
+    struct Shared
+    {
+      unsigned int                             node;   ///< its number
+      std::array<std::vector<unsigned int>, 2> halves; ///< ranks, ascending
+    };
 
-    /** The ranks that do the work for what is below a node: a rank itself
-     * where a half is one rank. */
-    std::array<unsigned int, 2>
-    children(const unsigned int node) const;
+    /** The nodes at which a rank has a share, from below. With the one that
+     * halves two ranks each begins; at the root some end. */
+    std::vector<Shared>
+    shared_by(const unsigned int rank) const;
 
   private:
     /** The ranks first, ..., end - 1. */
@@ -62,6 +66,10 @@ namespace lumbricus
         (rank < node() ? end : first) = node();
       }
     };
+
+    /** Who shares what is done at the node of some ranks. */
+    static Shared
+    sharing(const Range &range);
 
     const unsigned int n_ranks;
   };
