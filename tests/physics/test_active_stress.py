@@ -240,3 +240,18 @@ def test_work(tmp_path, kind, curves, order):
         done = extrapolated(*(found[n]["boundary condition", "end"] for n in (8, 16)))
         assert muscle == pytest.approx(stored - done, rel=1e-5)
     assert lifted < 0
+
+
+def test_fibres_beyond_their_best_length_are_unstable(tmp_path):
+    """Their slope g' < 0 outweighs the tissue's: the run goes on, and says so."""
+    soft = bar(pulls("m0", 0.1, activation="min(1, 4*t)", **BLEMKER),
+               a=0.02, displacement="max(0, 0.3*(4*t - 1)/3)")
+    more = ["Geometry/block/Cells=4, 1, 1", "Stability/Watch=true",
+            "Time/First step=0.125", "Time/Largest step=0.125"]
+    result = run_well(HERE / "bar.prm", tmp_path / "soft", soft + more)
+    assert "the body is not stable any more" in result.log
+    assert result.table("steps.csv")[0]["softest_stiffness"] > 0
+    assert result.table("steps.csv")[-1]["softest_stiffness"] < 0
+    stiff = run_well(HERE / "bar.prm", tmp_path / "stiff",
+                     [*soft, *more, "Tissues/bar/Neo-Hooke/a=0.5"])
+    assert "not stable" not in stiff.log
