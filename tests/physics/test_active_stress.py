@@ -231,7 +231,7 @@ def test_work(tmp_path, kind, curves, order):
         check_balance(found[n])
         assert found[n]["muscle", "m0"] > 0
     balance = "balance", "balance"
-    assert found[8][balance] / found[16][balance] == pytest.approx(2**order, rel=0.15)
+    assert found[8][balance] / found[16][balance] == pytest.approx(2**order, rel=0.01)
     assert abs(found[16][balance]) < 0.05 * found[16]["muscle", "m0"]
     stored, lifted = (found[16][key] for key in (
         ("stored", "tissues"), ("boundary condition", "end")))
@@ -250,7 +250,7 @@ def test_fibres_beyond_their_best_length_are_unstable(tmp_path):
             "Time/First step=0.125", "Time/Largest step=0.125"]
     result = run_well(HERE / "bar.prm", tmp_path / "soft", soft + more)
     assert "the body is not stable any more" in result.log
-    assert result.table("steps.csv")[0]["softest_stiffness"] > 0
+    assert result.table("steps.csv")[1]["softest_stiffness"] > 0
     assert result.table("steps.csv")[-1]["softest_stiffness"] < 0
     stiff = run_well(HERE / "bar.prm", tmp_path / "stiff",
                      [*soft, *more, "Tissues/bar/Neo-Hooke/a=0.5"])
