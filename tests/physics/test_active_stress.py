@@ -189,9 +189,23 @@ def test_isotonic_bar_goes_at_the_speed_of_hill(tmp_path, load, ranks):
             assert v > 0
 
 
+def test_speed_after_a_cut(tmp_path):
+    """A step that is cut starts anew from where the last one ended."""
+    load, tension, a = 0.02, 0.1, 0.05
+    result = run_well(HERE / "bar.prm", tmp_path, [
+        *isotonic(load, a), "Time/First step=0.2", "Time/Largest step=0.2",
+        "Newton/Most iterations=3"])
+    rows, steps_made = result.segments(), result.table("steps.csv")
+    assert sum(row["cuts"] for row in steps_made) >= 1
+    for before, now in zip(rows, rows[1:]):
+        v = (now["length"] - before["length"]) / (now["t"] - before["t"])
+        assert hill(v) == pytest.approx(
+            (load - passive(now["length"], a)) / tension, abs=1e-8)
+
+
 def test_speed_is_that_since_the_last_step(tmp_path):
-    """Whether the step was cut or not, on any number of ranks, and after a restart:
-    all go through the same lengths."""
+    """On any number of ranks and after a restart: all go through the same
+    lengths."""
     settings = [*isotonic("0.02 + 0.1*t", 0.05), *TO_THE_END]
     whole = run_well(HERE / "bar.prm", tmp_path / "whole", settings)
     run_well(HERE / "bar.prm", tmp_path / "cut", [*settings, "Time/End=0.1"])
