@@ -12,7 +12,6 @@ from test_invariance import TO_THE_END
 
 HERE = pathlib.Path(__file__).parent
 A = 0.23
-RANKS = pytest.mark.parametrize("ranks", [1, 2])
 
 
 def pulls(muscle, strength, kind="nominal", activation="t", **curves):
@@ -66,17 +65,18 @@ def blemker(x):
 BLEMKER = {"Force-length": "Blemker"}
 
 
-@RANKS
-@pytest.mark.parametrize("kind, strength, curves, length", [
-    ("second Piola", 0.05, {}, 0.9365333953),
-    ("second Piola", 0.1, {}, 0.8866209017),
-    ("second Piola", 0.23, {}, 0.7937005260),
-    ("second Piola", 1, {}, 0.5718396191),
-    ("nominal", 0.05, {}, 0.9325347784), ("nominal", 0.1, {}, 0.8740826952),
-    ("nominal", 0.23, {}, 0.7548776662),
-    ("nominal", 0.1, BLEMKER, 0.8803639702),
-    ("nominal", 0.23, BLEMKER, 0.7883285140),
-    ("nominal", 0.5, BLEMKER, 0.6958401084)])
+@pytest.mark.parametrize("kind, strength, curves, length, ranks", [
+    ("second Piola", 0.05, {}, 0.9365333953, 1),
+    ("second Piola", 0.1, {}, 0.8866209017, 1),
+    ("second Piola", 0.23, {}, 0.7937005260, 1),
+    ("second Piola", 1, {}, 0.5718396191, 1),
+    ("second Piola", 1, {}, 0.5718396191, 2),
+    ("nominal", 0.05, {}, 0.9325347784, 1), ("nominal", 0.1, {}, 0.8740826952, 1),
+    ("nominal", 0.23, {}, 0.7548776662, 1),
+    ("nominal", 0.1, BLEMKER, 0.8803639702, 1),
+    ("nominal", 0.23, BLEMKER, 0.7883285140, 1),
+    ("nominal", 0.5, BLEMKER, 0.6958401084, 1),
+    ("nominal", 0.5, BLEMKER, 0.6958401084, 2)])
 def test_free_bar(tmp_path, kind, strength, curves, length, ranks):
     """Lengths as computed elsewhere."""
     result = run_well(HERE / "bar.prm", tmp_path,
@@ -169,8 +169,7 @@ def isotonic(load, a, tension=0.1):
             "Time/End=0.2", "Time/First step=0.05", "Time/Largest step=0.05"]
 
 
-@RANKS
-@pytest.mark.parametrize("load", [0.02, 0.05, 0.09, 0.12, 0.15])
+@pytest.mark.parametrize("load, ranks", [(0.02, 1), (0.02, 2), (0.09, 1), (0.15, 1)])
 def test_isotonic_bar_goes_at_the_speed_of_hill(tmp_path, load, ranks):
     """(T + k T0)(v + k v_max) = (1 + k) T0 k v_max where it shortens; where the load
     is more than T0 it gets longer."""
