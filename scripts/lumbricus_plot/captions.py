@@ -32,7 +32,8 @@ PRESSURE = " Pressure of the liquid [N/mm²], positive in compression."
 ACTIVATION = (
     " Activation: for every muscle the mean active stretch [-] over the cells "
     "of a segment that have its fibres, at the times that have fields; less "
-    "than 1 (dark) is a contraction, grey a segment without that muscle.")
+    "than 1 (dark) is a contraction, grey a segment without that muscle. Of a "
+    "muscle that pulls the part of its tension that it has, from 0 to 1 (dark).")
 ANCHORS = (
     "Left: segments that are anchored in an obstacle (dark: less than half of "
     "what touches slides), slide (light) or do not touch (white), the head on "

@@ -5,6 +5,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import FuncNorm, Normalize
 
+from .activation import activation_of
 from .captions import no_formula
 from .fields import MEAN_WEIGHTS, MIDDLE, nodes_of_cells
 from .figures import INCHES, cell_borders, choose_times, save
@@ -12,12 +13,12 @@ from .scene import MUSCLE_COLOURS
 from .summary import extreme
 
 MOST_TIMES = 200  # at which fields are read
-PREFIX = "active_stretch_"
 
 
-def mean_stretches(grid, segments):
-    """For every muscle its mean active stretch in every segment, over the
-    volume at rest of the cells that have its fibres; nan where none has."""
+def mean_activations(grid, segments):
+    """For the activation of every muscle, by the name of its field, the mean in
+    every segment over the volume at rest of the cells that have its fibres; nan
+    where none has."""
     nodes = nodes_of_cells(grid)
     middle = nodes[:, MIDDLE]
     volumes = grid.compute_cell_sizes(length=False, area=False)["Volume"]
@@ -25,26 +26,25 @@ def mean_stretches(grid, segments):
                   == np.reshape(segments, (-1, 1)))
     means = {}
     for name in grid.point_data:
-        if not name.startswith(PREFIX):
+        if not activation_of(name):
             continue
-        muscle = name[len(PREFIX):]
-        fibre = grid["fibre_" + muscle][middle]
+        fibre = grid["fibre_" + activation_of(name)[0]][middle]
         weights = in_segment * volumes * (np.linalg.norm(fibre, axis=1) > 0)
         total = weights.sum(axis=1)
         sums = weights @ (grid[name][nodes] @ MEAN_WEIGHTS)
-        means[muscle] = np.divide(sums, total, where=total > 0,
-                                  out=np.full(len(total), np.nan))
+        means[name] = np.divide(sums, total, where=total > 0,
+                                out=np.full(len(total), np.nan))
     return means
 
 
 def activation(run):
-    """Times, and by muscle the mean active stretch [time, segment]."""
+    """Times, and by field the mean activation [time, segment]."""
     shown = choose_times(run.series, [], MOST_TIMES) if run.series else []
-    rows = [mean_stretches(run.grid(name), run.segment_numbers)
+    rows = [mean_activations(run.grid(name), run.segment_numbers)
             for _, name in shown]
     times = np.array([time for time, _ in shown])
-    muscles = rows[0].keys() if rows else []
-    return times, {m: np.array([row[m] for row in rows]) for m in muscles}
+    fields = rows[0].keys() if rows else []
+    return times, {f: np.array([row[f] for row in rows]) for f in fields}
 
 
 def borders(times):
@@ -62,6 +62,19 @@ def ratio_norm(ratio):
                     np.exp(-most), np.exp(most))
 
 
+def activation_panels(times, of_muscles, what, rest, colours):
+    """Panels of one kind of activation, with one scale, which has that at rest."""
+    known = [values for values in of_muscles.values() if np.isfinite(values).any()]
+    if not known:
+        return []
+    low = min(rest, min(np.nanmin(values) for values in known))
+    high = max(rest, max(np.nanmax(values) for values in known))
+    norm = Normalize(min(low, high - 1e-6), high)
+    prefix = "activation" if rest == 0 else f"activation: {what}"
+    return [(f"{prefix} of muscle “{no_formula(muscle.replace('_', ' '))}”", "-",
+             times, values, colours, norm) for muscle, values in of_muscles.items()]
+
+
 def panels(run):
     """(title, unit, times, values, colour map, norm) from the top down."""
     ratio = run.field("length") / run.field("length")[0]
@@ -73,17 +86,14 @@ def panels(run):
                       pressure, "YlGnBu",
                       Normalize(min(0, extreme(np.min, pressure)),
                                 max(extreme(np.max, pressure), 1e-12))))
-    times, stretches = activation(run)
-    known = [s for s in stretches.values() if np.isfinite(s).any()]
-    if known:
-        low = min(np.nanmin(s) for s in known)
-        high = max(1, max(np.nanmax(s) for s in known))
-        norm = Normalize(min(low, high - 1e-6), high)
-        for muscle, values in stretches.items():
-            name = no_formula(muscle.replace("_", " "))
-            found.append((f"activation: active stretch of muscle “{name}”",
-                          "-", times, values, MUSCLE_COLOURS.reversed(),
-                          norm))
+    times, activations = activation(run)
+    for what, rest, colours in (
+            ("active stretch", 1, MUSCLE_COLOURS.reversed()),
+            ("activation", 0, MUSCLE_COLOURS)):
+        of_kind = {activation_of(field)[0]: values
+                   for field, values in activations.items()
+                   if field.startswith(what.replace(" ", "_") + "_")}
+        found += activation_panels(times, of_kind, what, rest, colours)
     return found
 
 

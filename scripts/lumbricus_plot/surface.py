@@ -5,6 +5,7 @@ the lines on the cut, and its fibres."""
 import numpy as np
 import pyvista
 
+from .activation import activation_of
 from .body import ON_PLANE
 from .fields import (EDGES_OF_FACE, FACES, MIDDLE, grid_of, have_no_partner,
                      nodes_of_cells, place_keys, read_grid, read_obstacles)
@@ -34,12 +35,13 @@ QUARTERS[:, ROWS.ravel()] = np.einsum(
 
 
 def contraction(fields):
-    """How much shorter [%] than at rest the most active fibres want to be."""
-    stretches = [values for name, values in fields.items()
-                 if name.startswith("active_stretch_")]
-    if not stretches:
+    """How much shorter [%] than at rest the most active fibres want to be, or which
+    part [%] of its tension a muscle has that pulls."""
+    active = [activation_of(name)[1](values) for name, values in fields.items()
+              if activation_of(name)]
+    if not active:
         return np.zeros(len(fields["tissue"]))
-    return 100 * (1 - np.min(stretches, axis=0))
+    return 100 * np.max(active, axis=0)
 
 
 def materials(fields, middles):

@@ -14,8 +14,8 @@ namespace lumbricus
     {
       formula.declare_parameter(
         prm,
-        "[1] The active stretch (less than 1 contracts) as a formula of the "
-        "time t, the number s of the segment (from 1 at the head), the number "
+        "[1] The active stretch (less than 1 contracts), or of an active stress "
+        "the activation from 0 to 1, as a formula of the time t, the number s of the segment (from 1 at the head), the number "
         "n of segments, the reference position x, y, z, and pi.");
     }
 

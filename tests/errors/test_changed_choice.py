@@ -22,6 +22,11 @@ CONTACT = [*SHORT[:2], "Boundary conditions/Names=wall, push, ground",
 CAVITY = [*SHORT[:2], "Cavities/Segments with their own content=1",
           "Geometry/hollow sphere/Cells around a quarter=2",
           "Geometry/hollow sphere/Cells through the wall=1"]
+PULL = [*SHORT[:2], "Muscles/biceps/Action=active stress",
+        "Muscles/biceps/Activation=expression",
+        "Muscles/biceps/expression/Formula=t",
+        "Muscles/biceps/active stress/Force-length=Blemker",
+        "Muscles/biceps/active stress/Force-velocity=Hill"]
 UNUSED = "Not used, because of --set: "
 
 runs = ManyRuns()
@@ -29,15 +34,16 @@ runs = ManyRuns()
 
 @pytest.fixture(scope="module")
 def resolved(tmp_path_factory):
-    """parameters.prm of three runs by their names: of a block, of one on the
-    ground, and of a body with a cavity."""
+    """parameters.prm of four runs by their names: of a block, of one on the
+    ground, of one whose muscle pulls, and of a body with a cavity."""
     folder = tmp_path_factory.mktemp("resolved")
     for name, case, settings in (("block", BLOCK, SHORT),
                                  ("contact", BLOCK, CONTACT),
+                                 ("pull", BLOCK, PULL),
                                  ("cavity", SPHERE, CAVITY)):
         run_well(case, folder / name, settings)
     return {name: folder / name / "parameters.prm"
-            for name in ("block", "contact", "cavity")}
+            for name in ("block", "contact", "pull", "cavity")}
 
 
 def choices():
@@ -73,7 +79,9 @@ CHOICES = choices()
 def body_of(parameter):
     """Which of the runs uses it."""
     return "cavity" if parameter.startswith("Cavities/") else \
-        "contact" if "/contact/" in parameter else "block"
+        "contact" if "/contact/" in parameter else \
+        "pull" if "/active stress/" in parameter or \
+        parameter.endswith("/Activation") else "block"
 
 
 def in_block(parameter):
@@ -88,7 +96,9 @@ def in_block(parameter):
 
 def test_all_choices_are_found():
     assert {"Geometry/Shape", "Tissues/<tissue>/Law", "Muscles/<muscle>/Fibres",
-            "Muscles/<muscle>/Active stretch", "Linear solver/Method",
+            "Muscles/<muscle>/Active stretch", "Muscles/<muscle>/Activation",
+            "Muscles/<muscle>/active stress/Force-length",
+            "Muscles/<muscle>/active stress/Force-velocity", "Linear solver/Method",
             "Boundary conditions/<load or support>/Type",
             "Body forces/<body force>/Type", "Adaptivity/Marking",
             "Adaptivity/Estimator"} <= {
@@ -102,6 +112,9 @@ NEEDS = {
     "Geometry/Shape=segment chain": LIQUID,
     "Geometry/Shape=open cylinder": LIQUID,
     "Geometry/Shape=hollow sphere": LIQUID,
+    "Muscles/biceps/Action=active stress": ("'Muscles/biceps/Activation'",),
+    "Muscles/biceps/active stress/Force-length=file": (
+        "'Muscles/biceps/active stress/file/File'",),
     "Muscles/biceps/Fibres=file": ("'Muscles/biceps/file/File'",),
 }
 

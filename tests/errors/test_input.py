@@ -67,6 +67,15 @@ end
 """
 
 
+def pull(text, formula="t"):
+    """A second muscle of the block, which pulls."""
+    return another_muscle(
+        "set Fibres = longitudinal\nset Action = active stress\n"
+        "set Activation = expression\nsubsection expression\n"
+        f"set Formula = {formula}\nend\n"
+        f"subsection active stress\n{text}\nend")
+
+
 def another_muscle(text):
     """A second muscle of the block."""
     return f"""
@@ -524,6 +533,47 @@ end
                     "subsection wave\nset Amplitude = 1\nend"),
      ["'Muscles/triceps/wave/Amplitude' is 1 for segment 1",
       "has to be less than 1"]),
+    ("wave that pulls more than a muscle can", BLOCK,
+     another_muscle("set Fibres = longitudinal\nset Action = active stress\n"
+                    "set Activation = wave\n"
+                    "subsection wave\nset Amplitude = 1.2\nend"),
+     ["'Muscles/triceps/wave/Amplitude' is 1.2 for segment 1"]),
+    ("pull without an activation", BLOCK,
+     another_muscle("set Fibres = longitudinal\nset Action = active stress"),
+     ["'Muscles/triceps/Activation' is not set", "no activation",
+      "Set it to one of 'expression'"]),
+    ("activation of more than one", BLOCK,
+     pull("", formula="2*t"),
+     ["activation of muscle 'triceps' in segment 1", "is 1.", "from 0 (rest) to 1",
+      "'Muscles/triceps/expression'"]),
+    ("activation that pushes", BLOCK, pull("", formula="-t"),
+     ["activation of muscle 'triceps'", "from 0 (rest) to 1"]),
+    ("strength that pushes", BLOCK, pull("set Strength = -0.25"),
+     ["'Muscles/triceps/active stress/Strength' is -0.25 N/mm^2 at",
+      "a number >= 0", "Muscle 'triceps'"]),
+    ("strength that is no number", BLOCK, pull("set Strength = 1/(s - 1)"),
+     ["'Muscles/triceps/active stress/Strength' is inf"]),
+    ("strength that changes with time", BLOCK, pull("set Strength = 0.1*t"),
+     ["'Muscles/triceps/active stress/Strength' is '0.1*t'", "the activation"]),
+    ("tension of no kind", BLOCK, pull("set Kind = Cauchy"),
+     ["'Muscles/triceps/active stress/Kind'", "'nominal', 'second Piola'"]),
+    ("best length of zero", BLOCK, pull(
+        "set Force-length = Blemker\nsubsection Blemker\nset Best length = 0\nend"),
+     ["'Muscles/triceps/active stress/Blemker/Best length'", "> 0"]),
+    ("curve without its file", BLOCK, pull("set Force-length = file"),
+     ["'Muscles/triceps/active stress/file/File' is not set", "Give the path"]),
+    ("curve whose file is not there", BLOCK, pull(
+        "set Force-length = file\nsubsection file\nset File = no.csv\nend"),
+     ["'Muscles/triceps/active stress/file/File'", "'no.csv' cannot be read"]),
+    ("stretched fibre that is weaker", BLOCK, pull(
+        "set Force-velocity = Hill\nsubsection Hill\nset Largest = 0.9\nend"),
+     ["'Muscles/triceps/active stress/Hill/Largest' is 0.9", "more than 1"]),
+    ("fastest of zero", BLOCK, pull(
+        "set Force-velocity = Hill\nsubsection Hill\nset Fastest = 0\nend"),
+     ["'Muscles/triceps/active stress/Hill/Fastest'", "> 0"]),
+    ("active stretch of a muscle that pulls", BLOCK,
+     pull("").replace("set Activation", "set Active stretch"),
+     ["'Muscles/triceps/Active stretch'", "is unknown"]),
     ("wave that lasts more than its period", BLOCK,
      another_muscle("set Fibres = radial\nset Active stretch = wave\n"
                     "subsection wave\nset Duty = 1.5\nend"),

@@ -198,3 +198,19 @@ def test_every_case_has_a_test():
     assert len(cases) >= 8
     for name in cases:
         assert f'"{name}"' in tests or f"parameters/{name}/" in tests, name
+
+
+def test_lumbricus_terrestris_with_muscles_of_given_strength(tmp_path, monkeypatch):
+    """The circular muscle makes the pressure that is measured, the longitudinal one
+    next to none. Chambers without cells, coarser, to the end of the first pulses."""
+    result = case("lumbricus_terrestris", tmp_path, [
+        CHAIN + "Cells around a quarter=2", CHAIN + "Liquid=cavity",
+        "Time/End=4.5"], monkeypatch, "active_stress.prm")
+    rows = [row for row in result.segments()
+            if row["segment"] == 6 and row["t"] >= 1.5]
+    peak = max(rows, key=lambda row: row["fluid_pressure"])
+    assert 1000 * peak["fluid_pressure"] == pytest.approx(1.24, rel=0.03)
+    assert peak["length"] / 4.13 - 1 == pytest.approx(0.233, abs=0.01)
+    # Between the pulses.
+    assert 1000 * min(row["fluid_pressure"] for row in rows) < 0.12
+    volumes_kept(result, 1e-9)

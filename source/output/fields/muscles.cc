@@ -73,6 +73,6 @@ namespace lumbricus
 
   static const Register<Field, ActivationOfMuscle>
     activation_of_muscle("activation",
-                         "that of every muscle: 'active_stretch' and its "
-                         "name for lambda.");
+                         "that of every muscle: 'active_stretch' or, of one "
+                         "that pulls, 'activation', and its name.");
 } // namespace lumbricus

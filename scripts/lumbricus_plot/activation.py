@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The fields that say how active a muscle is, by what it does to the tissue."""
+
+# The beginning of their names, and how active a muscle is of which they say that.
+KINDS = {"active_stretch_": lambda values: 1 - values,
+         "activation_": lambda values: values}
+
+
+def activation_of(name):
+    """The name that the muscle has in the field of its activation, and how active it
+    is as a function of the values; None of another field."""
+    for prefix, active in KINDS.items():
+        if name.startswith(prefix):
+            return name[len(prefix):], active
+    return None
