@@ -63,7 +63,8 @@ namespace lumbricus
    *
    * is infinite at a point, where f(X) = f_i exactly (Lancaster and Salkauskas,
    * Math. Comp. 37 (1981) 141). C^+ leaves out the directions in which the
-   * points are hardly apart.
+   * points are hardly apart. Where X is farther from all points than they are
+   * from their sixth nearest, f is that of the nearest one.
    */
   class FibresFromFile : public FibreField
   {
@@ -93,10 +94,10 @@ namespace lumbricus
     void
     add(const std::vector<std::string> &words, const unsigned int number);
 
-    /** How far from the nearest point there still is a direction, unless the
-     * user says. Throws ExcInput where two points are the same. */
+    /** The largest distance of a point from the sixth nearest to it. Throws
+     * ExcInput where two points are the same. */
     double
-    natural_reach() const;
+    largest_spacing() const;
 
     /** The error about the parameter 'File'. */
     ExcInput
@@ -126,7 +127,9 @@ namespace lumbricus
     std::vector<dealii::Tensor<1, dim>> directions;
     std::vector<unsigned int>           line_numbers;
     dealii::RTree<Entry>                tree;
-    double                              reach = 0.;
+    /** Farther from all points nothing is between them. */
+    double spacing = 0.;
+    double reach   = 0.;
   };
 
 
@@ -141,8 +144,9 @@ namespace lumbricus
                       "and a vector along the fibres there, of any length but "
                       "zero; its sign means nothing. Between points the fibres "
                       "are interpolated from those around, at a point they "
-                      "are as given; the centres of all cells of the muscle "
-                      "will do. The first line may be 'x, y, z, fx, fy, "
+                      "are as given, and beyond all points those of the "
+                      "nearest; the centres of all cells of the muscle will "
+                      "do. The first line may be 'x, y, z, fx, fy, "
                       "fz'; what follows a # is left out. A relative path "
                       "starts at the working directory.",
                       dealii::Patterns::FileName());
@@ -162,9 +166,9 @@ namespace lumbricus
   {
     path = section + "/";
     read();
-    tree                 = dealii::pack_rtree(points);
-    const double natural = natural_reach();
-    reach                = given_reach > 0. ? given_reach : natural;
+    tree    = dealii::pack_rtree(points);
+    spacing = largest_spacing();
+    reach   = given_reach > 0. ? given_reach : 2. * spacing;
   }
 
 
@@ -239,12 +243,12 @@ namespace lumbricus
 
 
   double
-  FibresFromFile::natural_reach() const
+  FibresFromFile::largest_spacing() const
   {
     // In a mesh of flat cells the nearest point is too near to be a measure.
     constexpr unsigned int n_neighbours = 6;
     if (points.size() == 1)
-      return std::numeric_limits<double>::max();
+      return 0.5 * std::numeric_limits<double>::max();
     double             largest = 0.;
     std::vector<Entry> nearest;
     for (const Entry &point : points)
@@ -268,7 +272,7 @@ namespace lumbricus
             largest = std::max(largest, distance);
           }
       }
-    return 2. * largest;
+    return largest;
   }
 
 
@@ -388,9 +392,10 @@ namespace lumbricus
               });
     AssertThrow(X.distance(nearest.front().first) <= reach,
                 wrong_file(too_far(X, nearest.front())));
-    while (X.distance(nearest.back().first) > reach)
+    while (nearest.size() > 1 && X.distance(nearest.back().first) > 2. * spacing)
       nearest.pop_back();
-    if (nearest.size() == 1 ||
+    // A fit would go on beyond the points as it does among them.
+    if (nearest.size() == 1 || X.distance(nearest.front().first) > spacing ||
         X.distance(nearest.front().first) <=
           same_point * X.distance(nearest.back().first))
       return directions[nearest.front().second];

@@ -4,7 +4,7 @@
 
 #include <unistd.h>
 
-#include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -22,7 +22,7 @@ namespace lumbricus
 
     ~TemporaryFile()
     {
-      std::remove(name.c_str());
+      std::filesystem::remove(name);
     }
 
     const std::string name;
