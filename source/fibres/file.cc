@@ -61,10 +61,11 @@ namespace lumbricus
    *
    *   w_i = ((R - r_i)/(R r_i))^2,   r_i = |X - X_i| < R,
    *
-   * is infinite at a point, where f(X) = f_i exactly (Lancaster and Salkauskas,
+   * with r_i^2 less by the same for all where X is farther from the nearest point
+   * than that from the next, is infinite at a point, where f(X) = f_i exactly (Lancaster and Salkauskas,
    * Math. Comp. 37 (1981) 141). C^+ leaves out the directions in which the
-   * points are hardly apart. Where X is farther from all points than they are
-   * from their sixth nearest, f is that of the nearest one.
+   * points are hardly apart. Where X is farther from all points than twice
+   * the largest distance of one from its sixth nearest, f is that of the nearest.
    */
   class FibresFromFile : public FibreField
   {
@@ -326,18 +327,27 @@ namespace lumbricus
     // the largest there is no slope to be found.
     constexpr double least_spread = 1e-3;
 
-    double farthest = 0.;
-    for (const Entry &point : nearest)
-      farthest = std::max(farthest, X.distance(point.first));
+    // As seen from where X would be beside the nearest point.
+    double apart = std::numeric_limits<double>::max();
+    for (std::size_t i = 1; i < nearest.size(); ++i)
+      apart =
+        std::min(apart, nearest[0].first.distance(nearest[i].first));
+    const double first = X.distance(nearest[0].first);
+    const double least = std::min(first, apart);
+    const auto distance = [&](const Entry &point) {
+      const double r = X.distance(point.first);
+      return std::sqrt(
+        std::max(0., (r - first) * (r + first)) + least * least);
+    };
     // So that the farthest do not count where all are as far.
-    const double R = 1.1 * farthest;
+    const double R = 1.1 * distance(nearest.back());
 
     std::vector<double>    weights;
     double                 sum = 0.;
     dealii::Tensor<1, dim> c; // from X
     for (const Entry &point : nearest)
       {
-        const double r = X.distance(point.first);
+        const double r = distance(point);
         weights.push_back(std::pow((R - r) / (R * r), 2));
         sum += weights.back();
         c += weights.back() * (point.first - X);
@@ -395,7 +405,8 @@ namespace lumbricus
     while (nearest.size() > 1 && X.distance(nearest.back().first) > 2. * spacing)
       nearest.pop_back();
     // A fit would go on beyond the points as it does among them.
-    if (nearest.size() == 1 || X.distance(nearest.front().first) > spacing ||
+    if (nearest.size() == 1 ||
+        X.distance(nearest.front().first) > 2. * spacing ||
         X.distance(nearest.front().first) <=
           same_point * X.distance(nearest.back().first))
       return directions[nearest.front().second];
