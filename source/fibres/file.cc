@@ -9,12 +9,10 @@
 #include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/patterns.h>
-#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -48,24 +46,8 @@ namespace lumbricus
 
 
   /**
-   * Between points X_i with vectors d_i, f_i = d_i/|d_i|, whose signs mean
-   * nothing: f(X) is the principal direction of the tensor
-   *
-   *   A(X) = sum_i phi_i(X) f_i f_i,
-   *   phi_i = w_i/W (1 + (X - c) . C^+ (X_i - c)),   W = sum_i w_i,
-   *   c = sum_i w_i/W X_i,   C = sum_i w_i/W (X_i - c) (X_i - c),
-   *
-   * which is a moving least squares fit: what is linear in X in the components
-   * of f f is reproduced, so the error is of second order in the distance of
-   * points. i goes over the points nearest to X, and
-   *
-   *   w_i = ((R - r_i)/(R r_i))^2,   r_i = |X - X_i| < R,
-   *
-   * with r_i^2 less by the same for all where X is farther from the nearest point
-   * than that from the next, is infinite at a point, where f(X) = f_i exactly (Lancaster and Salkauskas,
-   * Math. Comp. 37 (1981) 141). C^+ leaves out the directions in which the
-   * points are hardly apart. Where X is farther from all points than twice
-   * the largest distance of one from its sixth nearest, f is that of the nearest.
+   * f(X) = d_i/|d_i| with the vector d_i given at the point X_i nearest to X;
+   * the points are meant to be the centres of cells.
    */
   class FibresFromFile : public FibreField
   {
@@ -95,10 +77,10 @@ namespace lumbricus
     void
     add(const std::vector<std::string> &words, const unsigned int number);
 
-    /** The largest distance of a point from the sixth nearest to it. Throws
-     * ExcInput where two points are the same. */
+    /** How far from the nearest point there still is a direction, unless the
+     * user says. Throws ExcInput where two points are the same. */
     double
-    largest_spacing() const;
+    natural_reach() const;
 
     /** The error about the parameter 'File'. */
     ExcInput
@@ -107,18 +89,9 @@ namespace lumbricus
       return ExcInput(about_parameter(path + "File", what));
     }
 
-    /** The tensor A at @p X; @p nearest are the points near it. */
-    dealii::SymmetricTensor<2, dim>
-    mean_at(const dealii::Point<dim> &X, const std::vector<Entry> &nearest) const;
-
     /** The message on a point that is beyond the reach. */
     std::string
     too_far(const dealii::Point<dim> &X, const Entry &nearest) const;
-
-    /** The message on a point around which directions are too different; the
-     * points near it are @p nearest, the nearest first. */
-    std::string
-    no_mean(const dealii::Point<dim> &X, const std::vector<Entry> &nearest) const;
 
     std::string file_name;
     double      given_reach = 0.;
@@ -128,9 +101,7 @@ namespace lumbricus
     std::vector<dealii::Tensor<1, dim>> directions;
     std::vector<unsigned int>           line_numbers;
     dealii::RTree<Entry>                tree;
-    /** Farther from all points nothing is between them. */
-    double spacing = 0.;
-    double reach   = 0.;
+    double                              reach = 0.;
   };
 
 
@@ -143,11 +114,9 @@ namespace lumbricus
                       "[path] A text file with six numbers in a line, "
                       "separated by commas or blanks: a point x, y, z in mm "
                       "and a vector along the fibres there, of any length but "
-                      "zero; its sign means nothing. Between points the fibres "
-                      "are interpolated from those around, at a point they "
-                      "are as given, and beyond all points those of the "
-                      "nearest; the centres of all cells of the muscle will "
-                      "do. The first line may be 'x, y, z, fx, fy, "
+                      "zero. The fibres at a point are those of the nearest "
+                      "point of the file, so give the centres of all cells of "
+                      "the muscle. The first line may be 'x, y, z, fx, fy, "
                       "fz'; what follows a # is left out. A relative path "
                       "starts at the working directory.",
                       dealii::Patterns::FileName());
@@ -167,9 +136,9 @@ namespace lumbricus
   {
     path = section + "/";
     read();
-    tree    = dealii::pack_rtree(points);
-    spacing = largest_spacing();
-    reach   = given_reach > 0. ? given_reach : 2. * spacing;
+    tree                 = dealii::pack_rtree(points);
+    const double natural = natural_reach();
+    reach                = given_reach > 0. ? given_reach : natural;
   }
 
 
@@ -244,12 +213,12 @@ namespace lumbricus
 
 
   double
-  FibresFromFile::largest_spacing() const
+  FibresFromFile::natural_reach() const
   {
     // In a mesh of flat cells the nearest point is too near to be a measure.
     constexpr unsigned int n_neighbours = 6;
     if (points.size() == 1)
-      return 0.5 * std::numeric_limits<double>::max();
+      return std::numeric_limits<double>::max();
     double             largest = 0.;
     std::vector<Entry> nearest;
     for (const Entry &point : points)
@@ -273,7 +242,7 @@ namespace lumbricus
             largest = std::max(largest, distance);
           }
       }
-    return largest;
+    return 2. * largest;
   }
 
 
@@ -296,131 +265,21 @@ namespace lumbricus
 
 
 
-  std::string
-  FibresFromFile::no_mean(const dealii::Point<dim> &X,
-                          const std::vector<Entry> &nearest) const
-  {
-    // That which differs most from the nearest.
-    const auto &f     = directions[nearest.front().second];
-    const Entry other = *std::min_element(
-      nearest.begin(), nearest.end(), [&](const Entry &a, const Entry &b) {
-        return std::abs(f * directions[a.second]) <
-               std::abs(f * directions[b.second]);
-      });
-    std::ostringstream message;
-    message << ": in the file '" << file_name << "' the directions around the "
-            << "point " << point_text(X)
-            << " are so different that they have no mean, as those of lines "
-            << line_numbers[nearest.front().second] << " and "
-            << line_numbers[other.second]
-            << ". Give more points there, or a file for each of two muscles.";
-    return message.str();
-  }
-
-
-
-  dealii::SymmetricTensor<2, dim>
-  FibresFromFile::mean_at(const dealii::Point<dim> &X,
-                          const std::vector<Entry> &nearest) const
-  {
-    // In a direction in which points are less apart than this part, squared, of
-    // the largest there is no slope to be found.
-    constexpr double least_spread = 1e-3;
-
-    // As seen from where X would be beside the nearest point.
-    double apart = std::numeric_limits<double>::max();
-    for (std::size_t i = 1; i < nearest.size(); ++i)
-      apart =
-        std::min(apart, nearest[0].first.distance(nearest[i].first));
-    const double first = X.distance(nearest[0].first);
-    const double least = std::min(first, apart);
-    const auto distance = [&](const Entry &point) {
-      const double r = X.distance(point.first);
-      return std::sqrt(
-        std::max(0., (r - first) * (r + first)) + least * least);
-    };
-    // So that the farthest do not count where all are as far.
-    const double R = 1.1 * distance(nearest.back());
-
-    std::vector<double>    weights;
-    double                 sum = 0.;
-    dealii::Tensor<1, dim> c; // from X
-    for (const Entry &point : nearest)
-      {
-        const double r = distance(point);
-        weights.push_back(std::pow((R - r) / (R * r), 2));
-        sum += weights.back();
-        c += weights.back() * (point.first - X);
-      }
-    c /= sum;
-
-    dealii::SymmetricTensor<2, dim> C;
-    for (std::size_t i = 0; i < nearest.size(); ++i)
-      C += weights[i] / sum *
-           dealii::symmetrize(
-             dealii::outer_product(nearest[i].first - X - c,
-                                   nearest[i].first - X - c));
-    dealii::Tensor<1, dim> slope; // C^+ (X - c)
-    const auto             axes = dealii::eigenvectors(C);
-    for (const auto &[spread, axis] : axes)
-      if (spread > least_spread * axes[0].first)
-        slope -= (c * axis) / spread * axis;
-
-    dealii::SymmetricTensor<2, dim> A;
-    for (std::size_t i = 0; i < nearest.size(); ++i)
-      {
-        const auto  &f   = directions[nearest[i].second];
-        const double phi = weights[i] / sum *
-                           (1. + slope * (nearest[i].first - X - c));
-        A += phi * dealii::symmetrize(dealii::outer_product(f, f));
-      }
-    return A;
-  }
-
-
-
   dealii::Tensor<1, dim>
   FibresFromFile::direction(const dealii::Point<dim> &X) const
   {
-    // Twice those of a cube around X, and some more: with eight around a point
-    // of a regular grid all of them may be in a plane.
-    constexpr unsigned int n_neighbours = 20;
-    // Nearer than this, relative to the farthest, is at the point.
-    constexpr double same_point = 1e-8;
-    // How far the largest eigenvalue of A, which are 1, 0, 0 where all fibres
-    // have one direction, is at least above the next.
-    constexpr double least_gap = 0.1;
-
     std::vector<Entry> nearest;
-    tree.query(boost::geometry::index::nearest(X, n_neighbours),
+    tree.query(boost::geometry::index::nearest(X, 1),
                std::back_inserter(nearest));
-    std::sort(nearest.begin(),
-              nearest.end(),
-              [&X](const Entry &a, const Entry &b) {
-                const double r = X.distance(a.first), s = X.distance(b.first);
-                return r < s || (r == s && a.second < b.second);
-              });
     AssertThrow(X.distance(nearest.front().first) <= reach,
                 wrong_file(too_far(X, nearest.front())));
-    while (nearest.size() > 1 && X.distance(nearest.back().first) > 2. * spacing)
-      nearest.pop_back();
-    // A fit would go on beyond the points as it does among them.
-    if (nearest.size() == 1 ||
-        X.distance(nearest.front().first) > 2. * spacing ||
-        X.distance(nearest.front().first) <=
-          same_point * X.distance(nearest.back().first))
-      return directions[nearest.front().second];
-
-    const auto axes = dealii::eigenvectors(mean_at(X, nearest));
-    AssertThrow(axes[0].first - axes[1].first >= least_gap,
-                wrong_file(no_mean(X, nearest)));
-    return axes[0].second / axes[0].second.norm();
+    return directions[nearest.front().second];
   }
 
 
 
   static const Register<FibreField, FibresFromFile>
     fibres_from_file("file",
-                     "along the vectors that a file gives at points, "
-                     "interpolated between them.");
+                     "along the vector that a file gives for the nearest "
+                     "point, a vector per cell.");
 } // namespace lumbricus
