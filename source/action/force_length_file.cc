@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/action/tension_curve.h>
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/core/number_in_text.h>
-#include <lumbricus/core/readable_file.h>
-#include <lumbricus/core/text_lines.h>
-#include <lumbricus/core/user_text.h>
+#include <lumbricus/core/monotone_cubic.h>
+#include <lumbricus/core/number_table.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/patterns.h>
-#include <deal.II/base/utilities.h>
 
-#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -21,10 +16,10 @@ namespace lumbricus
 {
   /**
    * f_l(x), x = l/l_best, through the rows (x_i, f_i) of a file, on each interval
-   * the cubic of its values and slopes at the ends. Slopes are those of Fritsch
-   * and Butland (SIAM J. Sci. Stat. Comput. 5 (1984) 300-304): zero where the
-   * rows turn, else a mean that leaves the curve monotone between rows. Before
-   * the first row and after the last it is what it is there.
+   * the cubic_on() it with monotone_slope() at its ends, and at those of the
+   * table the slope of the parabola through three rows, bounded so that the curve
+   * is monotone there too. Before the first row and after the last it is what it
+   * is there.
    */
   class ForceLengthFile : public ForceLength
   {
@@ -49,8 +44,7 @@ namespace lumbricus
     void
     initialize(const std::string &section, const Geometry & /*geometry*/) override
     {
-      path = section + "/";
-      read();
+      read(section + "/File");
       find_slopes();
     }
 
@@ -59,81 +53,58 @@ namespace lumbricus
 
   private:
     void
-    read();
+    read(const std::string &parameter);
 
     void
     find_slopes();
 
-    /** The error about the parameter 'File'. */
-    void
-    fail(const std::string &what) const
+    /** From row @p i to the next. */
+    TableLine
+    line(const unsigned int i) const
     {
-      AssertThrow(false,
-                  ExcInput(about_parameter(path + "File",
-                                           file_name.empty() ?
-                                             what :
-                                             ": the file '" + file_name + "' " +
-                                               what)));
+      const double h = table.value(i + 1, 0) - table.value(i, 0);
+      return {h, (table.value(i + 1, 1) - table.value(i, 1)) / h};
     }
 
     std::string file_name;
     double      best = 1.;
 
-    std::string         path; ///< that of the section and '/'
-    std::vector<double> x, f, slope;
+    NumberTable         table;
+    std::vector<double> slopes;
   };
 
 
 
   void
-  ForceLengthFile::read()
+  ForceLengthFile::read(const std::string &parameter)
   {
-    if (file_name.empty())
-      fail("is not set. Give the path of a file with a stretch and a part of the "
-           "tension in a line, from the working directory.");
-    std::ifstream in = open_input_file(file_name);
-    if (!in.good())
-      fail("cannot be read. Give its path from the working directory.");
-    x.clear();
-    f.clear();
-    bool        has_header = false;
-    std::string line;
-    skip_byte_order_mark(in);
-    for (unsigned int number = 1; read_line(in, line); ++number)
+    const std::string wanted = "Give a line 'l, f_l', and below it one with two "
+                               "numbers for each row, two rows or more.";
+    AssertThrow(!file_name.empty(),
+                ExcParameter(parameter,
+                             "is not set. Give the path of a file with a stretch "
+                             "and a part of the tension in a line, from the "
+                             "working directory."));
+    table = NumberTable(
+      parameter,
+      file_name,
+      [](const std::vector<std::string> &names) {
+        return names == std::vector<std::string>{"l", "f_l"} ?
+                 std::string() :
+                 "it has to be 'l, f_l', the names of the two columns.";
+      },
+      wanted);
+    if (table.n_rows() < 2)
+      table.fail("has fewer than two rows. " + wanted);
+    for (unsigned int i = 0; i < table.n_rows(); ++i)
       {
-        line.resize(std::min(line.find('#'), line.size()));
-        if (dealii::Utilities::trim(line).empty())
-          continue;
-        const auto        words = dealii::Utilities::split_string_list(line, ',');
-        const std::string at    = "line " + std::to_string(number) + ": ";
-        if (!has_header)
-          {
-            if (words != std::vector<std::string>{"l", "f_l"})
-              fail(at + "the first line is 'l, f_l', the names of the two "
-                        "columns, not '" +
-                   shortened(dealii::Utilities::trim(line)) + "'.");
-            has_header = true;
-            continue;
-          }
-        if (words.size() != 2)
-          fail(at + "it has " + std::to_string(words.size()) +
-               " numbers for 2 columns.");
-        double row[2];
-        for (unsigned int c = 0; c < 2; ++c)
-          if (!read_number(words[c], row[c]))
-            fail(at + "'" + shortened(words[c]) + "' is no number.");
-        if (!x.empty() && !(row[0] > x.back()))
-          fail(at + "the column 'l' has to increase.");
-        if (!(row[0] > 0.))
-          fail(at + "l has to be more than 0.");
-        if (!(row[1] >= 0.))
-          fail(at + "f_l has to be at least 0: a muscle pulls.");
-        x.push_back(row[0]);
-        f.push_back(row[1]);
+        const std::string at =
+          "line " + std::to_string(table.line(i)) + ", column ";
+        if (!(table.value(i, 0) > 0.))
+          table.fail(at + "'l': it has to be more than 0.");
+        if (!(table.value(i, 1) >= 0.))
+          table.fail(at + "'f_l': it has to be at least 0: a muscle pulls.");
       }
-    if (x.size() < 2)
-      fail("has fewer than two rows. Give a line 'l, f_l', and below it one with "
-           "two numbers for each row.");
   }
 
 
@@ -141,34 +112,25 @@ namespace lumbricus
   void
   ForceLengthFile::find_slopes()
   {
-    const unsigned int n = x.size();
-    const auto         h = [&](const unsigned int i) { return x[i + 1] - x[i]; };
-    const auto         secant = [&](const unsigned int i) {
-      return (f[i + 1] - f[i]) / h(i);
-    };
-    slope.assign(n, secant(0));
+    const unsigned int n = table.n_rows();
+    slopes.assign(n, line(0).slope);
     if (n == 2)
       return;
     for (unsigned int i = 1; i + 1 < n; ++i)
-      {
-        const double left = secant(i - 1), right = secant(i);
-        const double w_left  = h(i - 1) + 2. * h(i);
-        const double w_right = 2. * h(i - 1) + h(i);
-        slope[i] = left * right > 0. ?
-                     (w_left + w_right) / (w_left / left + w_right / right) :
-                     0.;
-      }
-    // At an end the parabola through three rows, bounded as it has to be there.
-    const auto at_end = [&](const unsigned int end, const unsigned int next) {
-      const double s = secant(end), s_next = secant(next);
+      slopes[i] = monotone_slope(line(i - 1), line(i));
+    const auto at_end = [](const TableLine &end, const TableLine &next) {
       const double d =
-        ((2. * h(end) + h(next)) * s - h(end) * s_next) / (h(end) + h(next));
-      if (d * s <= 0.)
+        ((2. * end.h + next.h) * end.slope - end.h * next.slope) /
+        (end.h + next.h);
+      if (d * end.slope <= 0.)
         return 0.;
-      return s * s_next <= 0. && std::abs(d) > 3. * std::abs(s) ? 3. * s : d;
+      return end.slope * next.slope <= 0. &&
+                 std::abs(d) > 3. * std::abs(end.slope) ?
+               3. * end.slope :
+               d;
     };
-    slope[0]     = at_end(0, 1);
-    slope[n - 1] = at_end(n - 2, n - 3);
+    slopes[0]     = at_end(line(0), line(1));
+    slopes[n - 1] = at_end(line(n - 2), line(n - 3));
   }
 
 
@@ -176,20 +138,19 @@ namespace lumbricus
   CurvePoint
   ForceLengthFile::at(const double l) const
   {
-    const double here = l / best;
-    if (here <= x.front())
-      return {f.front(), 0.};
-    if (here >= x.back())
-      return {f.back(), 0.};
-    const unsigned int i =
-      std::upper_bound(x.begin(), x.end(), here) - x.begin() - 1;
-    const double h = x[i + 1] - x[i], t = (here - x[i]) / h;
-    const double secant = (f[i + 1] - f[i]) / h;
-    // f_i + h (d_i t + c t^2 + b t^3)
-    const double b = slope[i] + slope[i + 1] - 2. * secant;
-    const double c = 3. * secant - 2. * slope[i] - slope[i + 1];
-    return {f[i] + h * t * (slope[i] + t * (c + t * b)),
-            (slope[i] + t * (2. * c + 3. * t * b)) / best};
+    const double       x    = l / best;
+    const unsigned int last = table.n_rows() - 1;
+    if (x <= table.value(0, 0))
+      return {table.value(0, 1), 0.};
+    if (x >= table.value(last, 0))
+      return {table.value(last, 1), 0.};
+    const unsigned int  i = table.row_after(x) - 1;
+    const ValueAndSlope f = cubic_on(line(i),
+                                     table.value(i, 1),
+                                     slopes[i],
+                                     slopes[i + 1],
+                                     x - table.value(i, 0));
+    return {f.value, f.slope / best};
   }
 
 

@@ -69,6 +69,8 @@ namespace lumbricus
   {
     activation_choice.get()->initialize(activation_choice.section_in(section),
                                         geometry);
+    activation_choice->check_given(
+      [this](const double value) { return requirement(value); });
   }
 
 

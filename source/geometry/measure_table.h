@@ -2,6 +2,8 @@
 #ifndef lumbricus_geometry_measure_table_h
 #define lumbricus_geometry_measure_table_h
 
+#include <lumbricus/core/number_table.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,9 +45,8 @@ namespace lumbricus
           const unsigned int n) const;
 
   private:
-    std::string                      file;
-    std::vector<std::string>         columns; ///< the first is the place
-    std::vector<std::vector<double>> rows;    ///< their places increase
+    std::string file;
+    NumberTable table; ///< its first column is the place
   };
 } // namespace lumbricus
 

@@ -6,15 +6,13 @@
 #include <deal.II/base/numbers.h>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <sstream>
 
 #include "read_plugin.h"
+#include "temporary_file.h"
 
 using namespace lumbricus;
 using dealii::Point;
@@ -35,24 +33,6 @@ namespace
                        *Registry<Geometry>::create("block"));
     return result;
   }
-
-  // A file with this text, of its own for every process; removed at the end.
-  class FibreFile
-  {
-  public:
-    explicit FibreFile(const std::string &text)
-      : name("fibres_test_" + std::to_string(getpid()) + ".csv")
-    {
-      std::ofstream(name) << text;
-    }
-
-    ~FibreFile()
-    {
-      std::remove(name.c_str());
-    }
-
-    const std::string name;
-  };
 
   void
   expect_equal(const Tensor<1, 3> &a, const Tensor<1, 3> &b)
@@ -172,7 +152,7 @@ TEST(Fibres, WrongParametersAreErrorsThatNameThem)
 
 TEST(Fibres, FileGivesTheVectorOfTheNearestPoint)
 {
-  const FibreFile file("# A comment, and a line of names.\n"
+  const TemporaryFile file("# A comment, and a line of names.\n"
                        "x, y, z, fx, fy, fz\n"
                        "\n"
                        "0, 0, 0, 2, 0, 0\n"
@@ -201,7 +181,7 @@ TEST(Fibres, FileAgreesWithHelicalTheFinerTheNearer)
             const Point<3> X((j + 0.5) / n, std::cos(a), std::sin(a));
             text << X << " " << 7. * helical->direction(X) << "\n";
           }
-      const FibreFile file(text.str());
+      const TemporaryFile file(text.str());
       const auto      field = fibres("file", "set File = " + file.name);
       double          worst = 0.;
       for (double a = 0.01; a < 1.57; a += 0.01)
@@ -226,7 +206,7 @@ TEST(Fibres, FileThatLacksAPartIsAnErrorThatNamesThePoint)
   std::string text;
   for (unsigned int i = 0; i < 10; ++i)
     text += std::to_string(i) + " 0 0 1 0 0\n";
-  const FibreFile   file(text);
+  const TemporaryFile   file(text);
   const std::string far_away = input_error([&]() {
     fibres("file", "set File = " + file.name)->direction(Point<3>(4, 0, 25));
   });
@@ -248,7 +228,7 @@ TEST(Fibres, WrongLinesOfAFileAreErrorsThatNameThem)
   const auto expect = [](const std::string &text,
                          const std::string &part,
                          const std::string &other_part) {
-    const FibreFile   file(text);
+    const TemporaryFile   file(text);
     const std::string message =
       input_error([&]() { fibres("file", "set File = " + file.name); });
     EXPECT_TRUE(contains(message, "'Muscles/biceps/file/File'")) << message;

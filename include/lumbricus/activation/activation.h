@@ -7,6 +7,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace lumbricus
@@ -52,6 +54,17 @@ namespace lumbricus
     {
       return {};
     }
+
+    /**
+     * Look at numbers that are given as they are, as in a table, before a run:
+     * @p requirement says what a number has to be where it is not that, and
+     * nothing where it is. Throws ExcInput that names the place of the first one
+     * that is wrong.
+     */
+    virtual void
+    check_given(
+      const std::function<std::string(double)> & /*requirement*/) const
+    {}
 
   protected:
     /** The value of a muscle that contracts by @p part: 0 is rest, 1 as much as
