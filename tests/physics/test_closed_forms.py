@@ -44,6 +44,48 @@ def test_uniaxial_mooney_rivlin(tmp_path, stretch, ranks):
     assert bar(tmp_path, settings, ranks) == pytest.approx(stretch, rel=1e-8)
 
 
+def law(name, **parameters):
+    return [f"Tissues/bar/Law={name}"] + [
+        f"Tissues/bar/{name}/{key}={value}" for key, value in parameters.items()]
+
+
+def yeoh(l):
+    x = l**2 + 2 / l - 3
+    return 2 * (l - l**-2) * (0.1 + 2 * -0.01 * x + 3 * 0.002 * x**2)
+
+
+def ogden(l):
+    return sum(mu * (l ** (alpha - 1) - l ** (-alpha / 2 - 1))
+               for mu, alpha in ((0.63, 1.3), (0.0012, 5), (-0.01, -2)))
+
+
+def gent(l):
+    return 0.23 * (l - l**-2) / (1 - (l**2 + 2 / l - 3) / 12)
+
+
+def demiray(l):
+    return 0.2 * math.exp(0.4 * (l**2 + 2 / l - 3)) * (l - l**-2)
+
+
+# The nominal stress at a stretch.
+UNIAXIAL = {
+    "Yeoh": (yeoh, law("Yeoh", C1=0.1, C2=-0.01, C3=0.002)),
+    "Ogden": (ogden, law("Ogden", Moduli="0.63, 0.0012, -0.01",
+                         Exponents="1.3, 5, -2")),
+    "Gent": (gent, law("Gent", mu=0.23, J_m=12)),
+    "Demiray": (demiray, law("Demiray", a=0.2, b=0.4))}
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("stretch", [0.5, 2.5])
+@pytest.mark.parametrize("name", UNIAXIAL)
+def test_uniaxial_laws(tmp_path, name, stretch, ranks):
+    nominal, settings = UNIAXIAL[name]
+    settings = settings + load("pull", "x max", "dead traction",
+                               Traction=f"{nominal(stretch):.17g}*t; 0; 0")
+    assert bar(tmp_path, settings, ranks) == pytest.approx(stretch, rel=1e-8)
+
+
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("stretch", [0.6, 0.8, 1.3])
 def test_free_muscle_takes_its_active_length(tmp_path, stretch, ranks):
