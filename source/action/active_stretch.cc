@@ -17,6 +17,7 @@ namespace lumbricus
     ActiveStretch()
       : MuscleAction("active stretch",
                      1.,
+                     0.,
                      "How the stress-free length of the fibres, relative to "
                      "their length at rest, changes with time.")
     {}

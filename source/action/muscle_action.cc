@@ -20,6 +20,7 @@ namespace lumbricus
 
   MuscleAction::MuscleAction(const std::string &quantity,
                              const double       at_rest,
+                             const double       contracted,
                              const std::string &documentation)
     : quantity_name(quantity)
     , rest(at_rest)
@@ -28,7 +29,12 @@ namespace lumbricus
                         documentation,
                         Placement::own_section,
                         ": the muscle has no " + quantity)
-  {}
+  {
+    activation_choice.prepare_with(
+      [at_rest, contracted](Activation &activation) {
+        activation.set_scale(at_rest, contracted);
+      });
+  }
 
 
 

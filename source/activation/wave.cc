@@ -20,7 +20,7 @@ namespace lumbricus
    *
    *   lambda = 1 - A r(t) h(t/T -+ (s-1)/Lambda + phi)
    *
-   * with the amplitude A < 1, the period T, the wavelength Lambda in segments
+   * or, where the activation is 0 at rest, A r h, with the amplitude A < 1, the period T, the wavelength Lambda in segments
    * (minus: towards the tail, plus: towards the head) and the phase phi. A and
    * Lambda may be formulas in s and n. The pulse h has period 1 and lasts for the part d of it (the duty),
    *
@@ -88,6 +88,7 @@ namespace lumbricus
       prm,
       "[1] By how much the pulse shortens the fibres: the active stretch at its "
       "peak is 1 - Amplitude. Less than 1; negative values lengthen the fibres. "
+      "Of an active stress it is the activation at the peak, from 0 to 1. "
       "A formula in the number s of the segment and the number n of segments.");
     wavelength_formula.declare_parameter(
       prm,
@@ -162,7 +163,10 @@ namespace lumbricus
       return values;
     };
     amplitudes = evaluate(amplitude_formula,
-                          [](const double a) { return a < 1. && a > -1e100; },
+                          [this](const double a) {
+                            return (a < 1. && a > -1e100) ||
+                                   (a == 1. && contracted_by(a) > 0.);
+                          },
                           "has to be less than 1: the active stretch 1 - "
                           "Amplitude is greater than zero.");
     wavelengths =
@@ -198,7 +202,8 @@ namespace lumbricus
                         const unsigned int segment,
                         const dealii::Point<dim> & /*X*/) const
   {
-    return 1. - amplitudes[segment - 1] * ramp(t) * pulse(t / period + lead(segment));
+    return contracted_by(amplitudes[segment - 1] * ramp(t) *
+                         pulse(t / period + lead(segment)));
   }
 
 

@@ -123,12 +123,14 @@ namespace lumbricus
 
 
 
-  dealii::Tensor<1, dim>
-  Muscle::fibre_direction(const dealii::Point<dim> &X) const
+  template <typename Function>
+  auto
+  Muscle::name_in_message(const Function &function) const
   {
+    decltype(function()) result{};
     try
       {
-        return fibre_choice->direction(X);
+        result = function();
       }
     catch (const ExcInput &exception)
       {
@@ -136,7 +138,29 @@ namespace lumbricus
                     ExcInput("Muscle '" + muscle_name +
                              "': " + plain_message(exception)));
       }
-    return {};
+    return result;
+  }
+
+
+
+  dealii::Tensor<1, dim>
+  Muscle::fibre_direction(const dealii::Point<dim> &X) const
+  {
+    return name_in_message([&]() { return fibre_choice->direction(X); });
+  }
+
+
+
+  MuscleFibre
+  Muscle::fibre_at_rest(const unsigned int        segment,
+                        const dealii::Point<dim> &X) const
+  {
+    MuscleFibre fibre;
+    fibre.f               = fibre_direction(X);
+    fibre.activation      = action().at_rest();
+    fibre.largest_tension = name_in_message(
+      [&]() { return action().largest_tension(segment - 1, X); });
+    return fibre;
   }
 
 

@@ -7,12 +7,22 @@ namespace lumbricus
 {
   namespace
   {
-    // Made by the first history, whichever that is.
+    // Made by the first history, whichever that is: the names of those that all
+    // runs have, and of those that some have.
     std::set<std::string> &
-    all_names()
+    names_of(const NodalHistory::Runs runs)
     {
-      static std::set<std::string> names;
-      return names;
+      static std::set<std::string> of_all, of_some;
+      return runs == NodalHistory::Runs::all ? of_all : of_some;
+    }
+
+
+
+    bool
+    is_name(const std::string &name)
+    {
+      return names_of(NodalHistory::Runs::all).count(name) > 0 ||
+             names_of(NodalHistory::Runs::some).count(name) > 0;
     }
 
 
@@ -22,10 +32,11 @@ namespace lumbricus
 
 
 
-  NodalHistory::NodalHistory(const std::string &name)
+  NodalHistory::NodalHistory(const std::string &name, const Runs runs)
     : own_name(name)
   {
-    const bool is_new = all_names().insert(name).second;
+    const bool is_new = !is_name(name);
+    names_of(runs).insert(name);
     AssertThrow(is_new && name.find_first_of(" \t\n") == std::string::npos,
                 dealii::ExcMessage("Another history is called '" + name +
                                    "', or the name has blanks."));
@@ -60,7 +71,7 @@ namespace lumbricus
   const std::set<std::string> &
   NodalHistory::names()
   {
-    return all_names();
+    return names_of(Runs::all);
   }
 
 
@@ -84,7 +95,7 @@ namespace lumbricus
   bool
   NodalHistory::is_known(const std::string &name)
   {
-    return all_names().count(name) > 0 ||
+    return is_name(name) ||
            (name.size() > boundary.size() &&
             name.compare(0, boundary.size(), boundary) == 0);
   }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/cell_sizes.h>
+#include <lumbricus/discretization/displacement_before.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/reference_field.h>
 #include <lumbricus/discretization/same_cell.h>
+
+#include <algorithm>
+#include <vector>
 
 namespace lumbricus
 {
@@ -28,6 +32,22 @@ namespace lumbricus
         }
       throw_on_all_ranks<ExcInput>(message, body.space.communicator());
     }
+
+
+
+    // Read a history at the nodes of a cell, with its indices.
+    void
+    read_history(const Vector     &history,
+                 const OwnedCell  &cell,
+                 const MixedSpace &space,
+                 std::vector<dealii::types::global_dof_index> &indices,
+                 ElementKernel                                &kernel)
+    {
+      same_cell(cell.iterator, space.rest_dof_handler)->get_dof_indices(indices);
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+          kernel.u[c][n] = history[indices[space.rest_dof[c][n]]];
+    }
   } // namespace
 
 
@@ -47,9 +67,8 @@ namespace lumbricus
       for (unsigned int q = 0; q < n_q; ++q)
         for (const Muscle *muscle : cell.tissue.muscles())
           points[cell.index * n_q + q].fibres.push_back(
-            {muscle->fibre_direction(
-               body.shapes.quadrature_point(cell.index, q)),
-             muscle->action().at_rest()});
+            muscle->fibre_at_rest(cell.region.segment + 1,
+                                  body.shapes.quadrature_point(cell.index, q)));
     });
   }
 
@@ -66,14 +85,47 @@ namespace lumbricus
         {
           MaterialPoint &point = points[cell.index * n_q + q];
           for (unsigned int k = 0; k < muscles.size(); ++k)
-            point.fibres[k].activation =
-              muscles[k]->activation(t,
-                                     cell.region.segment + 1,
-                                     body.shapes.quadrature_point(cell.index,
-                                                                  q));
+            {
+              point.fibres[k].activation =
+                muscles[k]->activation(t,
+                                       cell.region.segment + 1,
+                                       body.shapes.quadrature_point(cell.index,
+                                                                    q));
+              point.fibres[k].since = 0.;
+            }
           point.reference = cell.tissue.reference_map(point.fibres);
         }
     });
+  }
+
+
+
+  void
+  ReferenceField::update_speed(const State &state, const LoadTime &t)
+  {
+    const double since = std::max(t.to() - state.last_time, 0.);
+    if (since == 0. || !muscles_feel_speed(body.anatomy))
+      return;
+    const Vector                                &u = displacement_before.in(state);
+    ElementKernel                                before;
+    std::vector<dealii::types::global_dof_index> indices(
+      body.space.rest_fe.n_dofs_per_cell());
+    for (const OwnedCell cell : body.owned_cells())
+      {
+        const auto &muscles = cell.tissue.muscles();
+        if (muscles.empty())
+          continue;
+        read_history(u, cell, body.space, indices, before);
+        before.compute_deformation(body.shapes.cell(cell.index));
+        for (unsigned int q = 0; q < n_q; ++q)
+          for (unsigned int k = 0; k < muscles.size(); ++k)
+            if (muscles[k]->action().feels_speed())
+              {
+                MuscleFibre &fibre   = points[cell.index * n_q + q].fibres[k];
+                fibre.stretch_before = (before.F[q] * fibre.f).norm();
+                fibre.since          = since;
+              }
+      }
   }
 
 
@@ -91,15 +143,8 @@ namespace lumbricus
       {
         if (!cell.is_liquid)
           continue;
-        same_cell(cell.iterator, space.rest_dof_handler)
-          ->get_dof_indices(indices);
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-            {
-              const auto index = indices[space.rest_dof[c][n]];
-              rest.u[c][n]     = u_ref[index];
-              volume.u[c][n]   = u_vol[index];
-            }
+        read_history(u_ref, cell, space, indices, rest);
+        read_history(u_vol, cell, space, indices, volume);
         const ShapeCache::Cell shape = body.shapes.cell(cell.index);
         rest.compute_deformation(shape);
         volume.compute_deformation(shape);
@@ -115,6 +160,7 @@ namespace lumbricus
   ReferenceField::update(const State &state, const LoadTime &t)
   {
     update_muscles(t);
+    update_speed(state, t);
     update_liquid(state);
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/contact/contacts.h>
+#include <lumbricus/discretization/displacement_before.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/measures/step_work.h>
 
@@ -107,6 +108,7 @@ namespace lumbricus
     const MixedSpace   &space   = body.space;
     const Anatomy      &anatomy = body.anatomy;
     std::vector<double> works(anatomy.n_muscles(), 0.);
+    const bool          at_end_alone = muscles_feel_speed(anatomy);
     std::map<const Muscle *, unsigned int> numbers;
     for (unsigned int i = 0; i < works.size(); ++i)
       numbers[&anatomy.muscle(i)] = i;
@@ -146,10 +148,14 @@ namespace lumbricus
                 if (before.activation != after.activation)
                   work = with_other(at_a, at_b, k) - with_other(at_b, at_a, k);
                 // An active stress has no energy.
-                work -= scalar_product(
-                  active_stress(*muscles[k], at_a.kernel.F[q], before) +
-                    active_stress(*muscles[k], at_b.kernel.F[q], after),
-                  way);
+                const auto P_b =
+                  active_stress(*muscles[k], at_b.kernel.F[q], after);
+                // At the end of the last step nothing knows how fast it was.
+                const auto P_a =
+                  at_end_alone ?
+                    P_b :
+                    active_stress(*muscles[k], at_a.kernel.F[q], before);
+                work -= scalar_product(P_a + P_b, way);
                 works[numbers.at(muscles[k])] += 0.5 * JxW[q] * work;
               }
           }

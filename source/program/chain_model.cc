@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/adaptivity/cell_cost.h>
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/discretization/displacement_before.h>
 #include <lumbricus/discretization/surface_scales.h>
 #include <lumbricus/program/chain_model.h>
 
@@ -135,6 +136,7 @@ namespace lumbricus
   {
     StateOutline outline = space.initial_state().outline();
     outline.histories.merge(surface_terms.histories());
+    outline.histories.merge(histories_of_muscles(parameters.anatomy));
     outline.globals = equilibrium.globals_at_rest();
     State state = space.zero_state(outline);
     surface_terms.end_step(state);
@@ -243,13 +245,16 @@ namespace lumbricus
     work.friction    = work_of_friction(body, conditions, surface_terms, a, b);
     work.loads       = forces_on_body({a, maps_of_a}, &way);
     const auto at_b  = forces_on_body({b, references}, &way);
+    const bool all_at_b = muscles_feel_speed(parameters.anatomy);
     for (unsigned int i = 0; i < at_b.size(); ++i)
       {
-        // At the end of a step nothing knows how fast it was.
+        // At the end of a step nothing knows how fast it was: neither a term nor
+        // the muscles that a support holds.
         const auto *term = i < conditions.n_conditions() ?
                              conditions.condition(i).surface_term() :
                              nullptr;
-        const double part = term != nullptr && term->depends_on_rate() ? 1. : 0.5;
+        const double part =
+          all_at_b || (term != nullptr && term->depends_on_rate()) ? 1. : 0.5;
         work.loads[i].work =
           (1. - part) * work.loads[i].work + part * at_b[i].work;
       }
@@ -297,6 +302,7 @@ namespace lumbricus
   {
     surface_terms.end_step(state);
     cavities.end_step(state);
+    remember_displacement(body, state);
     state.last_time = state.time;
   }
 

@@ -37,11 +37,11 @@ namespace
    *
    * which is the derivative of T (l - (l - 1)^3/(3 w^2)).
    */
-  class ActiveStress : public MuscleAction
+  class Pull : public MuscleAction
   {
   public:
-    ActiveStress()
-      : MuscleAction("active stress", 0., "How the tension changes with time.")
+    Pull()
+      : MuscleAction("pull", 0., 1., "How the tension changes with time.")
     {}
 
     void
@@ -100,8 +100,8 @@ namespace
     double w = 0.5;
   };
 
-  const Register<MuscleAction, ActiveStress>
-    active_stress("active stress", "a tension along its fibres.");
+  const Register<MuscleAction, Pull>
+    pull_action("pull", "a tension along its fibres.");
 
 
 
@@ -115,8 +115,8 @@ namespace
            "set Muscles = " + muscles +
              "\nsubsection Neo-Hooke\n set a = 0.7\nend\n");
       read(pull,
-           "set Fibres = direction\nset Action = active stress\n"
-           "set Width = 0.8\nset Active stress = expression\n"
+           "set Fibres = direction\nset Action = pull\n"
+           "set Width = 0.8\nset Pull = expression\n"
            "subsection direction\n set Direction = 0.6, 0, 0.8\nend\n"
            "subsection expression\n set Formula = 0.3*t\nend\n");
       read(shorten,
@@ -222,7 +222,7 @@ TEST(Tissues, StressAndTangentAreDerivatives)
   EXPECT_EQ(T, 0.3);
   const auto energy = [&](const Tensor<2, dim> &F) {
     return flesh.tissue.law().energy(F, p, point.reference) +
-           ActiveStress::energy(T, (F * point.fibres[0].f).norm(), 0.8);
+           Pull::energy(T, (F * point.fibres[0].f).norm(), 0.8);
   };
   MaterialResponse at, plus, minus;
   flesh.tissue.evaluate(F_general, p, point, true, at);
@@ -283,13 +283,13 @@ TEST(Tissues, MessagesNameWhatTheMuscleHas)
   const Flesh       flesh;
   const std::string message =
     input_error([&]() { flesh.pull.activation(-1., 1, {}); });
-  EXPECT_TRUE(contains(message, "The active stress of muscle 'pull'"))
+  EXPECT_TRUE(contains(message, "The pull of muscle 'pull'"))
     << message;
   EXPECT_TRUE(contains(message, "is -0.3; it has to be a number >= 0"))
     << message;
   EXPECT_TRUE(contains(message, "'Muscles/pull/expression'")) << message;
   const LoadCurve curve = flesh.pull.load_curve(1, {{}});
-  EXPECT_EQ(curve.what, "the active stress of muscle 'pull'");
+  EXPECT_EQ(curve.what, "the pull of muscle 'pull'");
   EXPECT_EQ(curve.at_rest, 0.);
   EXPECT_EQ(flesh.shorten.load_curve(1, {{}}).at_rest, 1.);
 }
@@ -318,9 +318,9 @@ subsection Tissues
 end
 subsection Muscles
   subsection pull
-    set Fibres        = direction
-    set Action        = active stress
-    set Active stress = expression
+    set Fibres = direction
+    set Action = pull
+    set Pull   = expression
     subsection direction
       set Direction = 1, 0, 0
     end
@@ -371,7 +371,7 @@ end
   EXPECT_EQ(std::count_if(arrays.begin(),
                           arrays.end(),
                           [](const FieldArray &array) {
-                            return array.name == "active_stress_pull";
+                            return array.name == "pull_pull";
                           }),
             1);
 

@@ -19,6 +19,13 @@ namespace lumbricus
   {
     dealii::Tensor<1, dim> f; ///< at rest
     double activation;        ///< as MuscleAction::quantity() says
+    /** MuscleAction::largest_tension() there [N/mm^2]. */
+    double largest_tension = 0.;
+    /** |F f| at the end of the last load step, where MuscleAction::feels_speed().
+     */
+    double stretch_before = 1.;
+    /** How long ago that was [time]; 0 where nothing moves. */
+    double since = 0.;
   };
 
 
@@ -72,6 +79,23 @@ namespace lumbricus
     virtual double
     strength(const double value) const = 0;
 
+    /** The tension that is the scale of that of the muscle at @p X, at rest, of
+     * segment @p segment, from zero [N/mm^2]. Throws ExcInput. */
+    virtual double
+    largest_tension(const unsigned int /*segment*/,
+                    const dealii::Point<dim> & /*X*/) const
+    {
+      return 0.;
+    }
+
+    /** Whether add_stress() asks for MuscleFibre::stretch_before: a run then
+     * remembers where the body was (see displacement_before). */
+    virtual bool
+    feels_speed() const
+    {
+      return false;
+    }
+
     /** Add to @p stretches, see active_stretch_map(), those that @p fibre makes
      * of the stress-free shape. */
     virtual void
@@ -82,7 +106,8 @@ namespace lumbricus
     /**
      * Add the stress of @p fibre to P [N/mm^2] and, where @p with_tangent, its
      * derivative by F to A, which has to stay symmetric: that of a stress along
-     * the fibre that depends on |F f| is. Called at every quadrature point.
+     * the fibre that depends on |F f| is, and on what that was before. Called at
+     * every quadrature point.
      */
     virtual void
     add_stress(const dealii::Tensor<2, dim> & /*F*/,
@@ -93,9 +118,11 @@ namespace lumbricus
 
   protected:
     /** The parameter that chooses the activation has the name @p quantity, with
-     * a capital, and @p documentation. */
+     * a capital, and @p documentation. Its value is @p contracted where a muscle
+     * contracts as much as one can, see Activation::set_scale(). */
     MuscleAction(const std::string &quantity,
                  const double       at_rest,
+                 const double       contracted,
                  const std::string &documentation);
 
   private:

@@ -19,6 +19,18 @@ namespace lumbricus
   {
   public:
     /**
+     * What its values mean, before its parameters are declared: that of a
+     * muscle at rest, and that of one that contracts as much as a muscle can.
+     * By default those of an active stretch, 1 and 0.
+     */
+    void
+    set_scale(const double at_rest, const double contracted)
+    {
+      rest = at_rest;
+      full = contracted;
+    }
+
+    /**
      * The activation at reference position @p X of segment @p segment (counted
      * from one, as users do) at time @p t. The caller checks the range.
      */
@@ -40,6 +52,19 @@ namespace lumbricus
     {
       return {};
     }
+
+  protected:
+    /** The value of a muscle that contracts by @p part: 0 is rest, 1 as much as
+     * a muscle can. For a pattern that does for every MuscleAction. */
+    double
+    contracted_by(const double part) const
+    {
+      return rest + (full - rest) * part;
+    }
+
+  private:
+    double rest = 1.;
+    double full = 0.;
   };
 } // namespace lumbricus
 

@@ -67,6 +67,12 @@ namespace lumbricus
     dealii::Tensor<1, dim>
     fibre_direction(const dealii::Point<dim> &X) const;
 
+    /** The fibre at @p X in segment @p segment (from one) at rest. Throws
+     * ExcInput where there is no direction or no tension, naming the muscle. */
+    MuscleFibre
+    fibre_at_rest(const unsigned int        segment,
+                  const dealii::Point<dim> &X) const;
+
     /** See FibreField::is_sampled(). */
     bool
     fibres_are_sampled() const;
@@ -89,6 +95,12 @@ namespace lumbricus
                const std::vector<dealii::Point<dim>> &points) const;
 
   private:
+    /** What @p function returns; an ExcInput that it throws gets the name of the
+     * muscle. */
+    template <typename Function>
+    auto
+    name_in_message(const Function &function) const;
+
     double
     activation_at(const double              t,
                   const unsigned int        segment,

@@ -18,9 +18,18 @@ namespace lumbricus
   class NodalHistory
   {
   public:
+    /** Which runs have it: where it is only some, whoever makes their state of
+     * rest gives it to them. */
+    enum class Runs
+    {
+      all,
+      some
+    };
+
     /** Zero at first, everywhere. The @p name has no blanks, and no other
      * history has it. */
-    explicit NodalHistory(const std::string &name);
+    explicit NodalHistory(const std::string &name,
+                          const Runs         runs = Runs::all);
 
     NodalHistory(const NodalHistory &) = delete;
     NodalHistory &

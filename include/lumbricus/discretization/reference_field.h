@@ -29,11 +29,17 @@ namespace lumbricus
     reinit();
 
     /**
-     * Set the activation of all muscles at time @p t. Throws ExcInput where a
+     * Set the activation of all muscles at time @p t, as that of a body that
+     * stands still. Throws ExcInput where a
      * muscle's action cannot take it. Collective.
      */
     void
     update_muscles(const LoadTime &t);
+
+    /** Set how long the fibres were when the last load step ended, and how long
+     * before @p t that was, where muscles ask for it. */
+    void
+    update_speed(const State &state, const LoadTime &t);
 
     /** Set the liquid's rest shape and volume. */
     void

@@ -73,6 +73,13 @@ namespace lumbricus
       return formula.depends_on_place() || formula.depends_on_time();
     }
 
+    /** Whether t is in it. */
+    bool
+    depends_on_time() const
+    {
+      return formula.depends_on_time();
+    }
+
     /** The formula as the user wrote it. */
     const std::string &
     text() const

@@ -23,9 +23,15 @@ namespace lumbricus
    *                    + psi(F_b, alpha_b) - psi(F_b, alpha_a) dV,
    *
    * where alpha is the activation of that muscle, and that of the others is the
-   * one of the state. In equilibrium the balance holds up to the error of the
-   * rule, of third order in the length of the step, and in friction of second
-   * order where points begin to slide.
+   * one of the state. From W_muscle goes, where a muscle adds P_m to the stress,
+   *
+   *   1/2 int (P_m,a + P_m,b) : (F_b - F_a) dV.
+   *
+   * In equilibrium the balance holds up to the error of the rule, of third order
+   * in the length of the step, and in friction of second order where points begin
+   * to slide. Where P_m hangs on the speed of fibres, which nothing knows at the
+   * beginning of a step, f_b and P_m,b stand for the means of both ends: the error
+   * is of second order then.
    */
   struct StepWork
   {
