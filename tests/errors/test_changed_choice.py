@@ -16,6 +16,9 @@ BLOCK = HERE / "block.prm"
 SPHERE = HERE.parent / "physics" / "sphere.prm"
 SHORT = ["Time/End=0.01", "Time/First step=0.01", "Adaptivity/Every=1",
          "Body forces/Names=weight", "Body forces/weight/Type=dead body force"]
+FIBRES = [*SHORT, "Tissues/flesh/Law=Guccione",
+          "Tissues/flesh/Elastic fibres/Names=net",
+          "Tissues/flesh/Elastic fibres/net/Fibres=longitudinal"]
 CONTACT = [*SHORT[:2], "Boundary conditions/Names=wall, push, ground",
            "Boundary conditions/ground/Boundary=z min",
            "Boundary conditions/ground/Type=contact"]
@@ -29,15 +32,16 @@ runs = ManyRuns()
 
 @pytest.fixture(scope="module")
 def resolved(tmp_path_factory):
-    """parameters.prm of three runs by their names: of a block, of one on the
-    ground, and of a body with a cavity."""
+    """parameters.prm of four runs by their names: of a block, of one on the
+    ground, of one with elastic fibres, and of a body with a cavity."""
     folder = tmp_path_factory.mktemp("resolved")
     for name, case, settings in (("block", BLOCK, SHORT),
                                  ("contact", BLOCK, CONTACT),
+                                 ("fibres", BLOCK, FIBRES),
                                  ("cavity", SPHERE, CAVITY)):
         run_well(case, folder / name, settings)
     return {name: folder / name / "parameters.prm"
-            for name in ("block", "contact", "cavity")}
+            for name in ("block", "contact", "fibres", "cavity")}
 
 
 def choices():
@@ -73,12 +77,14 @@ CHOICES = choices()
 def body_of(parameter):
     """Which of the runs uses it."""
     return "cavity" if parameter.startswith("Cavities/") else \
-        "contact" if "/contact/" in parameter else "block"
+        "contact" if "/contact/" in parameter else \
+        "fibres" if "/Elastic fibres/" in parameter or \
+        "/Guccione/" in parameter else "block"
 
 
 def in_block(parameter):
     """The parameter with the names that the block has."""
-    return parameter.replace("<tissue>", "flesh").replace(
+    return parameter.replace("<tissue>", "flesh").replace("<family>", "net").replace(
         "<muscle>", "biceps").replace(
             "<load or support>",
             "ground" if body_of(parameter) == "contact" else "push").replace(
@@ -102,6 +108,8 @@ NEEDS = {
     "Geometry/Shape=segment chain": LIQUID,
     "Geometry/Shape=open cylinder": LIQUID,
     "Geometry/Shape=hollow sphere": LIQUID,
+    "Geometry/Shape=truncated ellipsoid": (
+        "'Boundary conditions/wall/Boundary'",),
     "Muscles/biceps/Fibres=file": ("'Muscles/biceps/file/File'",),
 }
 

@@ -46,6 +46,12 @@ namespace
                                  {"Ogden",
                                   "set Moduli = -0.3\nset Exponents = -4\n"
                                   "set nu = 0.4"},
+                                 {"Guccione",
+                                  "set C = 0.2\nset b_f = 1.1\nset b_t = 0.4\n"
+                                  "set b_fs = 0.6"},
+                                 {"Guccione",
+                                  "set C = 0.2\nset b_f = 0.4\nset b_t = 0.9\n"
+                                  "set b_fs = 0.3\nset nu = 0.4"},
                                  {"Hooke", "set E = 0.7"},
                                  {"Hooke", "set E = 0.7\nset nu = 0.3"}};
 
@@ -57,10 +63,18 @@ namespace
     Tensor<1, dim> f;
     f[0] = 0.6;
     f[2] = 0.8;
-    return {ReferencePoint(),
-            active_stretch_map({{f, 0.7}}),
-            rest_shape_map(F_rest, unit),
-            rest_shape_map(F_rest, F_rest)};
+    std::vector<ReferencePoint> points = {ReferencePoint(),
+                                          active_stretch_map({{f, 0.7}}),
+                                          rest_shape_map(F_rest, unit),
+                                          rest_shape_map(F_rest, F_rest)};
+    // For laws with fibres.
+    Tensor<1, dim> g;
+    g[0] = 0.36;
+    g[1] = -0.48;
+    g[2] = 0.8;
+    for (ReferencePoint &point : points)
+      point.fibres = {invert(point.G_inverse) * g};
+    return points;
   }
 } // namespace
 

@@ -7,6 +7,8 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
+#include <vector>
+
 namespace lumbricus
 {
   /**
@@ -22,6 +24,9 @@ namespace lumbricus
       dealii::unit_symmetric_tensor<dim, double>();
     /** The stress-free volume ratio, > 0. */
     double J_v = 1.;
+    /** G f for each family of fibres that the law has, f its unit vector at
+     * rest: where the fibre is in the stress-free shape, and how long. */
+    std::vector<dealii::Tensor<1, dim>> fibres = {};
   };
 } // namespace lumbricus
 
