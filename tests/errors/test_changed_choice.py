@@ -102,6 +102,7 @@ def test_all_choices_are_found():
 
 
 # What a choice needs that has no default.
+ELLIPSOID = ("'truncated ellipsoid'",)
 LIQUID = ("'Tissues/liquid/", "'Boundary conditions/wall/Boundary'")
 NEEDS = {
     "Geometry/Shape=mesh file": ("'Geometry/mesh file/File'",),
@@ -110,6 +111,9 @@ NEEDS = {
     "Geometry/Shape=hollow sphere": LIQUID,
     "Geometry/Shape=truncated ellipsoid": (
         "'Boundary conditions/wall/Boundary'",),
+    "Muscles/biceps/Fibres=ellipsoidal": ELLIPSOID,
+    "Tissues/flesh/Guccione/Fibres=ellipsoidal": ELLIPSOID,
+    "Tissues/flesh/Elastic fibres/net/Fibres=ellipsoidal": ELLIPSOID,
     "Muscles/biceps/Fibres=file": ("'Muscles/biceps/file/File'",),
 }
 
