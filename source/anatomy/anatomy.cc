@@ -122,6 +122,12 @@ namespace lumbricus
                                  "has to be empty: a liquid has no fibres. Put "
                                  "the muscle into a tissue of the wall."));
 
+        AssertThrow(!liquid.has_elastic_fibres(),
+                    ExcParameter("Tissues/" + name.name,
+                                 "has elastic fibres, by its law or its section "
+                                 "'Elastic fibres', which a liquid has not. "
+                                 "Put them into a tissue of the wall."));
+
         const double mu = liquid.law().shear_modulus();
         if (wall > 0. && mu > wall / 10)
           {
@@ -152,6 +158,7 @@ namespace lumbricus
         for (const std::string &name : tissues[i].muscle_names())
           named.push_back(muscles.find(name));
         tissues[i].set_muscles(named);
+        tissues[i].initialize("Tissues/" + tissues[i].name(), geometry());
       }
     for (unsigned int i = 0; i < muscles.size(); ++i)
       muscles[i].initialize("Muscles/" + muscles[i].name(), geometry());
@@ -272,7 +279,8 @@ namespace lumbricus
   {
     bool may = true;
     for (unsigned int i = 0; i < tissue_names.size(); ++i)
-      may = may && (!is_liquid(i) || tissue(i).law().may_flow());
+      may = may && (!is_liquid(i) || (tissue(i).law().may_flow() &&
+                                      !tissue(i).has_elastic_fibres()));
     return may;
   }
 

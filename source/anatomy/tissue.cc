@@ -14,6 +14,11 @@ namespace lumbricus
                  "Neo-Hooke",
                  "The constitutive law. In a liquid with a wall around it, it "
                  "has by default a thousandth of the stiffness given here.")
+    , families("Elastic fibres",
+               "Names",
+               "<family>",
+               "Families of elastic fibres that strengthen the law in tension, "
+               "each a section with direction and stiffness.")
   {}
 
 
@@ -41,6 +46,7 @@ namespace lumbricus
                       "The muscles whose fibres run in this tissue, each a "
                       "section in Muscles; empty for a passive tissue.",
                       NameList());
+    families.declare_parameters(prm);
   }
 
 
@@ -48,7 +54,8 @@ namespace lumbricus
   bool
   Tissue::extend_parameters(dealii::ParameterHandler &prm, const Extent extent)
   {
-    return law_choice.extend_parameters(prm, extent);
+    const bool law = law_choice.extend_parameters(prm, extent);
+    return families.extend_parameters(prm, extent) || law;
   }
 
 
@@ -58,6 +65,19 @@ namespace lumbricus
   {
     law_choice.check_parameters();
     check_no_name_twice("Muscles", names_of_muscles);
+    families.check_parameters();
+  }
+
+
+
+  void
+  Tissue::initialize(const std::string &section, const Geometry &geometry)
+  {
+    law_choice.get()->initialize(law_choice.section_in(section), geometry);
+    for (std::size_t k = 0; k < families.size(); ++k)
+      families[k].initialize(section + "/" + families.section_name() + "/" +
+                               families.name(k),
+                             geometry);
   }
 
 
@@ -122,15 +142,68 @@ namespace lumbricus
 
 
 
+  bool
+  Tissue::has_elastic_fibres() const
+  {
+    return families.size() > 0 || !law().fibre_fields().empty();
+  }
+
+
+
+  std::vector<dealii::Tensor<1, dim>>
+  Tissue::elastic_fibres(const dealii::Point<dim> &X) const
+  {
+    std::vector<dealii::Tensor<1, dim>> directions;
+    try
+      {
+        for (const FibreField *fibres : chosen_law->fibre_fields())
+          directions.push_back(fibres->direction(X));
+        for (std::size_t k = 0; k < families.size(); ++k)
+          directions.push_back(families[k].fibres().direction(X));
+      }
+    catch (const ExcInput &exception)
+      {
+        AssertThrow(false,
+                    ExcInput("Tissue '" + tissue_name +
+                             "': " + plain_message(exception)));
+      }
+    return directions;
+  }
+
+
+
   ReferencePoint
-  Tissue::reference_map(const std::vector<MuscleFibre> &fibres) const
+  Tissue::reference_map(
+    const std::vector<MuscleFibre>            &fibres,
+    const std::vector<dealii::Tensor<1, dim>> &elastic) const
   {
     AssertDimension(fibres.size(), actions.size());
     std::vector<ActiveFibre> stretches;
     stretches.reserve(fibres.size());
     for (std::size_t k = 0; k < actions.size(); ++k)
       actions[k]->add_stretch(fibres[k], stretches);
-    return active_stretch_map(stretches);
+    ReferencePoint reference = active_stretch_map(stretches);
+    if (!elastic.empty())
+      {
+        const auto G = invert(reference.G_inverse);
+        for (const dealii::Tensor<1, dim> &f : elastic)
+          reference.fibres.push_back(G * f);
+      }
+    return reference;
+  }
+
+
+
+  double
+  Tissue::energy(const dealii::Tensor<2, dim> &F,
+                 const double                  p,
+                 const ReferencePoint         &reference) const
+  {
+    double            psi   = chosen_law->energy(F, p, reference);
+    const std::size_t first = reference.fibres.size() - families.size();
+    for (std::size_t k = 0; k < families.size(); ++k)
+      psi += families[k].energy(F, reference, reference.fibres[first + k]);
+    return psi;
   }
 
 
@@ -143,12 +216,17 @@ namespace lumbricus
                    MaterialResponse             &response) const
   {
     AssertDimension(point.fibres.size(), actions.size());
-    response.mu_missing = 0.;
-    if (point.reference.flows)
+    response.mu_missing             = 0.;
+    const ReferencePoint &reference = point.reference;
+    if (reference.flows)
       flowing_response(
-        *chosen_law, F, p, point.reference.J_v, with_tangent, response);
+        *chosen_law, F, p, reference.J_v, with_tangent, response);
     else
-      chosen_law->evaluate(F, p, point.reference, with_tangent, response);
+      chosen_law->evaluate(F, p, reference, with_tangent, response);
+    const std::size_t first = reference.fibres.size() - families.size();
+    for (std::size_t k = 0; k < families.size(); ++k)
+      families[k].add_stress(
+        F, reference, reference.fibres[first + k], with_tangent, response);
     for (std::size_t k = 0; k < actions.size(); ++k)
       actions[k]->add_stress(F, point.fibres[k], with_tangent, response);
   }

@@ -65,10 +65,16 @@ namespace lumbricus
 
     for_each_cell(body, [&](const OwnedCell &cell) {
       for (unsigned int q = 0; q < n_q; ++q)
-        for (const Muscle *muscle : cell.tissue.muscles())
-          points[cell.index * n_q + q].fibres.push_back(
-            muscle->fibre_at_rest(cell.region.segment + 1,
-                                  body.shapes.quadrature_point(cell.index, q)));
+        {
+          const auto    &X     = body.shapes.quadrature_point(cell.index, q);
+          MaterialPoint &point = points[cell.index * n_q + q];
+          for (const Muscle *muscle : cell.tissue.muscles())
+            point.fibres.push_back(
+              muscle->fibre_at_rest(cell.region.segment + 1, X));
+          point.elastic_fibres = cell.tissue.elastic_fibres(X);
+          point.reference =
+            cell.tissue.reference_map(point.fibres, point.elastic_fibres);
+        }
     });
   }
 
@@ -93,7 +99,8 @@ namespace lumbricus
                                                                     q));
               point.fibres[k].since = 0.;
             }
-          point.reference = cell.tissue.reference_map(point.fibres);
+          point.reference =
+            cell.tissue.reference_map(point.fibres, point.elastic_fibres);
         }
     });
   }

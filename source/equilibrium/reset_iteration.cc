@@ -52,7 +52,7 @@ namespace lumbricus
                       "So it is in any case in mode 'full', with Least, where "
                       "the mesh in the liquid is never relaxed, where liquid "
                       "slips or is on the surface of the body, and with laws "
-                      "that are not isochoric.",
+                      "that are not isochoric or have fibres.",
                       dealii::Patterns::Selection("iteration|solve"));
     prm.add_parameter("Mode",
                       mode,

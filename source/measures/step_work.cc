@@ -39,7 +39,7 @@ namespace lumbricus
              const unsigned int    q,
              const ReferencePoint &reference) const
       {
-        return tissue.law().energy(
+        return tissue.energy(
           kernel.F[q],
           kernel.pressure(body.shapes.pressure_modes(), q),
           reference);
@@ -136,7 +136,9 @@ namespace lumbricus
               const MaterialPoint &point  = here.points[q];
               auto                 fibres = point.fibres;
               fibres[k]                   = other.points[q].fibres[k];
-              return here.energy(body, tissue, q, tissue.reference_map(fibres)) -
+              const auto other_map =
+                tissue.reference_map(fibres, point.elastic_fibres);
+              return here.energy(body, tissue, q, other_map) -
                      here.energy(body, tissue, q, point.reference);
             };
             const auto way = at_b.kernel.F[q] - at_a.kernel.F[q];

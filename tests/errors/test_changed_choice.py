@@ -16,6 +16,9 @@ BLOCK = HERE / "block.prm"
 SPHERE = HERE.parent / "physics" / "sphere.prm"
 SHORT = ["Time/End=0.01", "Time/First step=0.01", "Adaptivity/Every=1",
          "Body forces/Names=weight", "Body forces/weight/Type=dead body force"]
+FIBRES = [*SHORT, "Tissues/flesh/Law=Guccione",
+          "Tissues/flesh/Elastic fibres/Names=net",
+          "Tissues/flesh/Elastic fibres/net/Fibres=longitudinal"]
 CONTACT = [*SHORT[:2], "Boundary conditions/Names=wall, push, ground",
            "Boundary conditions/ground/Boundary=z min",
            "Boundary conditions/ground/Type=contact"]
@@ -34,16 +37,18 @@ runs = ManyRuns()
 
 @pytest.fixture(scope="module")
 def resolved(tmp_path_factory):
-    """parameters.prm of four runs by their names: of a block, of one on the
-    ground, of one whose muscle pulls, and of a body with a cavity."""
+    """parameters.prm of five runs by their names: of a block, of one on the
+    ground, of one whose muscle pulls, of one with elastic fibres, and of a body
+    with a cavity."""
     folder = tmp_path_factory.mktemp("resolved")
     for name, case, settings in (("block", BLOCK, SHORT),
                                  ("contact", BLOCK, CONTACT),
                                  ("pull", BLOCK, PULL),
+                                 ("fibres", BLOCK, FIBRES),
                                  ("cavity", SPHERE, CAVITY)):
         run_well(case, folder / name, settings)
     return {name: folder / name / "parameters.prm"
-            for name in ("block", "contact", "pull", "cavity")}
+            for name in ("block", "contact", "pull", "fibres", "cavity")}
 
 
 def choices():
@@ -81,12 +86,14 @@ def body_of(parameter):
     return "cavity" if parameter.startswith("Cavities/") else \
         "contact" if "/contact/" in parameter else \
         "pull" if "/active stress/" in parameter or \
-        parameter.endswith("/Activation") else "block"
+        parameter.endswith("/Activation") else \
+        "fibres" if "/Elastic fibres/" in parameter or \
+        "/Guccione/" in parameter else "block"
 
 
 def in_block(parameter):
     """The parameter with the names that the block has."""
-    return parameter.replace("<tissue>", "flesh").replace(
+    return parameter.replace("<tissue>", "flesh").replace("<family>", "net").replace(
         "<muscle>", "biceps").replace(
             "<load or support>",
             "ground" if body_of(parameter) == "contact" else "push").replace(
@@ -106,6 +113,7 @@ def test_all_choices_are_found():
 
 
 # What a choice needs that has no default.
+ELLIPSOID = ("'truncated ellipsoid'",)
 LIQUID = ("'Tissues/liquid/", "'Boundary conditions/wall/Boundary'")
 NEEDS = {
     "Geometry/Shape=mesh file": ("'Geometry/mesh file/File'",),
@@ -115,6 +123,11 @@ NEEDS = {
     "Muscles/biceps/Action=active stress": ("'Muscles/biceps/Activation'",),
     "Muscles/biceps/active stress/Force-length=file": (
         "'Muscles/biceps/active stress/file/File'",),
+    "Geometry/Shape=truncated ellipsoid": (
+        "'Boundary conditions/wall/Boundary'",),
+    "Muscles/biceps/Fibres=ellipsoidal": ELLIPSOID,
+    "Tissues/flesh/Guccione/Fibres=ellipsoidal": ELLIPSOID,
+    "Tissues/flesh/Elastic fibres/net/Fibres=ellipsoidal": ELLIPSOID,
     "Muscles/biceps/Fibres=file": ("'Muscles/biceps/file/File'",),
 }
 

@@ -44,6 +44,69 @@ def test_uniaxial_mooney_rivlin(tmp_path, stretch, ranks):
     assert bar(tmp_path, settings, ranks) == pytest.approx(stretch, rel=1e-8)
 
 
+def law(name, **parameters):
+    return [f"Tissues/bar/Law={name}"] + [
+        f"Tissues/bar/{name}/{key}={value}" for key, value in parameters.items()]
+
+
+def yeoh(l):
+    x = l**2 + 2 / l - 3
+    return 2 * (l - l**-2) * (0.1 + 2 * -0.01 * x + 3 * 0.002 * x**2)
+
+
+def ogden(l):
+    return sum(mu * (l ** (alpha - 1) - l ** (-alpha / 2 - 1))
+               for mu, alpha in ((0.63, 1.3), (0.0012, 5), (-0.01, -2)))
+
+
+def gent(l):
+    return 0.23 * (l - l**-2) / (1 - (l**2 + 2 / l - 3) / 12)
+
+
+def demiray(l):
+    return 0.2 * math.exp(0.4 * (l**2 + 2 / l - 3)) * (l - l**-2)
+
+
+def guccione(l):
+    along, across = (l**2 - 1) / 2, (1 / l - 1) / 2
+    q = 1.3 * along**2 + 2 * 0.7 * across**2
+    return 0.2 / 2 * math.exp(q) * (2 * 1.3 * along * l
+                                    - 2 * 0.7 * across / l**2)
+
+
+def fibres(l, k1=0.1, k2=0.05, kappa=0.1):
+    strain = kappa * (l**2 + 2 / l - 3) + (1 - 3 * kappa) * (l**2 - 1)
+    slope = kappa * (2 * l - 2 / l**2) + (1 - 3 * kappa) * 2 * l
+    ground = 0.23 * (l - l**-2)
+    return ground + (k1 * strain * math.exp(k2 * strain**2) * slope
+                     if strain > 0 else 0)
+
+
+FIBRES = "Tissues/bar/Elastic fibres"
+
+# The nominal stress at a stretch.
+UNIAXIAL = {
+    "Yeoh": (yeoh, law("Yeoh", C1=0.1, C2=-0.01, C3=0.002)),
+    "Ogden": (ogden, law("Ogden", Moduli="0.63, 0.0012, -0.01",
+                         Exponents="1.3, 5, -2")),
+    "Gent": (gent, law("Gent", mu=0.23, J_m=12)),
+    "Demiray": (demiray, law("Demiray", a=0.2, b=0.4)),
+    "Guccione": (guccione, law("Guccione", C=0.2, b_f=1.3, b_t=0.7, b_fs=0.9)),
+    "fibres": (fibres, [f"{FIBRES}/Names=f", f"{FIBRES}/f/Fibres=longitudinal",
+                        f"{FIBRES}/f/k1=0.1", f"{FIBRES}/f/k2=0.05",
+                        f"{FIBRES}/f/kappa=0.1"])}
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("stretch", [0.6, 1.9])
+@pytest.mark.parametrize("name", UNIAXIAL)
+def test_uniaxial_laws(tmp_path, name, stretch, ranks):
+    nominal, settings = UNIAXIAL[name]
+    settings = settings + load("pull", "x max", "dead traction",
+                               Traction=f"{nominal(stretch):.17g}*t; 0; 0")
+    assert bar(tmp_path, settings, ranks) == pytest.approx(stretch, rel=1e-8)
+
+
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("stretch", [0.6, 0.8, 1.3])
 def test_free_muscle_takes_its_active_length(tmp_path, stretch, ranks):
@@ -54,6 +117,17 @@ def test_free_muscle_takes_its_active_length(tmp_path, stretch, ranks):
     assert point["ux"] == pytest.approx(0.5 * (stretch - 1), rel=1e-8)
     for stress in ("pressure", "sxx", "syy", "szz", "sxy"):
         assert abs(point[stress]) < 1e-9
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("stretch", [0.8, 1.3])
+def test_fibres_follow_the_muscle(tmp_path, stretch, ranks):
+    # They too are free of stress in the shape that the muscle makes.
+    settings = muscle(stretch) + [
+        f"{FIBRES}/Names=along, across", f"{FIBRES}/along/Fibres=longitudinal",
+        f"{FIBRES}/across/Fibres=direction",
+        f"{FIBRES}/across/direction/Direction=0, 1, 0"]
+    assert bar(tmp_path, settings, ranks) == pytest.approx(stretch, rel=1e-9)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])

@@ -271,16 +271,16 @@ TEST(ActiveStress, CurveOfAFileIsMonotoneBetweenItsRows)
 TEST(ActiveStress, FaultsOfAFileAreSaidWithTheirLine)
 {
   const std::vector<std::pair<std::string, std::string>> faults = {
-    {"", "has fewer than two rows"},
+    {"", "has no rows. Give a line 'l, f_l'"},
     {"l, f_l\n1, 1\n", "has fewer than two rows"},
-    {"l\n1\n2\n", "line 1: the first line is 'l, f_l'"},
-    {"1, 1\n2, 1\n", "line 1: the first line is 'l, f_l'"},
-    {"l, f_l\n1\n", "line 2: it has 1 numbers for 2 columns"},
-    {"l, f_l\n1, nan\n", "line 2: 'nan' is no number"},
-    {"l, f_l\n1, x\n", "line 2: 'x' is no number"},
-    {"l, f_l\n1, 1\n# more\n1, 0.5\n", "line 4: the column 'l' has to increase"},
-    {"l, f_l\n-1, 1\n", "line 2: l has to be more than 0"},
-    {"l, f_l\n1, 1\n2, -0.1\n", "line 3: f_l has to be at least 0"}};
+    {"l\n1\n2\n", "line 1: it has to be 'l, f_l'"},
+    {"1, 2\n2, 1\n", "line 1: it has to be 'l, f_l'"},
+    {"l, f_l\n1\n", "line 2: it has 1 number for 2 columns"},
+    {"l, f_l\n1, nan\n", "line 2, column 'f_l': 'nan' is no number"},
+    {"l, f_l\n1, x\n", "line 2, column 'f_l': 'x' is no number"},
+    {"l, f_l\n1, 1\n# more\n1, 0.5\n", "line 4, column 'l': 1 is not greater"},
+    {"l, f_l\n-1, 1\n2, 1\n", "line 2, column 'l': it has to be more than 0"},
+    {"l, f_l\n1, 1\n2, -0.1\n", "line 3, column 'f_l': it has to be at least 0"}};
   for (const auto &[text, what] : faults)
     {
       const std::string message = error_of(text);

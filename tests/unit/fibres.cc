@@ -252,3 +252,33 @@ TEST(Fibres, WrongLinesOfAFileAreErrorsThatNameThem)
   EXPECT_TRUE(contains(input_error([]() { fibres("file"); }),
                        "'Muscles/biceps/file/File' is not set"));
 }
+
+
+
+TEST(Fibres, EllipsoidalTurnWithTheDepth)
+{
+  const auto ventricle = Registry<Geometry>::create("truncated ellipsoid");
+  const auto field     = read_plugin<FibreField>("ellipsoidal");
+  field->initialize("Muscles/heart/ellipsoidal", *ventricle);
+  for (const double t : {0., 0.25, 0.5, 1.})
+    for (const double theta : {0.1, 1.1, 1.8})
+      {
+        const double  s = 7 + 3 * t, l = 17 + 3 * t;
+        const Point<3> X(-l * std::cos(theta), 0., s * std::sin(theta));
+        // Along the meridian towards the base, and around the axis.
+        Tensor<1, 3> up, around;
+        up[0]     = l * std::sin(theta);
+        up[2]     = s * std::cos(theta);
+        around[1] = -1.;
+        const double a = (90 - 180 * t) * dealii::numbers::PI / 180;
+        EXPECT_NEAR((field->direction(X) - std::sin(a) * up / up.norm() -
+                     std::cos(a) * around)
+                      .norm(),
+                    0.,
+                    1e-12);
+      }
+  EXPECT_TRUE(contains(input_error([&]() { field->direction({-17., 0., 0.}); }),
+                       "-17"));
+  EXPECT_TRUE(contains(input_error([]() { fibres("ellipsoidal"); }),
+                       "'truncated ellipsoid'"));
+}

@@ -978,3 +978,52 @@ TEST(Block, PatchesAreCutOutOfTheirFaces)
          "'Geometry/block/Patches'",
          "'x max' is the name of a face");
 }
+
+
+
+TEST(TruncatedEllipsoid, VolumesAndAreasConvergeUnderRefinement)
+{
+  const auto geometry =
+    read_plugin<Geometry>("truncated ellipsoid", "set Cells up to the base = 3");
+  const auto cap = [](const double s, const double l) {
+    return pi * s * s * (5. + 2. / 3. * l - 125. / (3. * l * l));
+  };
+  const double volume = cap(10., 20.) - cap(7., 17.);
+  const double base =
+    pi * (100. * (1. - 25. / 400.) - 49. * (1. - 25. / 289.));
+  double last_volume = 0., last_base = 0.;
+  for (unsigned int refinement = 0; refinement <= 2; ++refinement)
+    {
+      const Totals sum = totals(*geometry, refinement);
+      EXPECT_GT(sum.smallest_jacobian, 0.1);
+      const double volume_error = std::abs(sum.volume("wall") / volume - 1);
+      const double base_error   = std::abs(sum.areas.at(0) / base - 1);
+      if (refinement > 0)
+        {
+          EXPECT_LT(volume_error, last_volume / 12);
+          EXPECT_LT(base_error, last_base / 12);
+        }
+      last_volume = volume_error;
+      last_base   = base_error;
+      EXPECT_GT(sum.areas.at(2), sum.areas.at(1));
+    }
+  EXPECT_LT(last_volume, 1e-5);
+  EXPECT_LT(last_base, 1e-5);
+}
+
+
+
+TEST(TruncatedEllipsoid, WrongParametersAreErrorsThatNameThem)
+{
+  const auto message = [](const std::string &text) {
+    return input_error(
+      [&]() { read_plugin<Geometry>("truncated ellipsoid", text); });
+  };
+  EXPECT_TRUE(contains(message("set Outer short radius = 7"),
+                       "'Outer short radius' is not larger"));
+  EXPECT_TRUE(contains(message("set Outer long radius = 16"),
+                       "'Outer long radius' is not larger"));
+  EXPECT_TRUE(contains(message("set Base = -17"), "'Base' is a plane"));
+  EXPECT_TRUE(contains(message("set Cells around a quarter = 3"),
+                       "Cells around a quarter"));
+}

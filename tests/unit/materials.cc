@@ -34,6 +34,25 @@ namespace
                                  {"Mooney-Rivlin", "set a = 0.5\nset b = 0.3"},
                                  {"Mooney-Rivlin",
                                   "set a = 0.5\nset b = 0.3\nset nu = 0.4"},
+                                 {"Yeoh",
+                                  "set C1 = 0.3\nset C2 = -0.02\nset C3 = 0.01"},
+                                 {"Yeoh", "set C2 = 0.4\nset nu = 0.45"},
+                                 {"Gent", "set mu = 0.7\nset J_m = 3"},
+                                 // Beyond its end: I1 - 3 is 0.59 there.
+                                 {"Gent", "set mu = 2e-5\nset J_m = 0.4"},
+                                 {"Demiray", "set a = 0.7\nset b = 0.6"},
+                                 {"Ogden",
+                                  "set Moduli = 0.63, 0.0012, -0.01\n"
+                                  "set Exponents = 1.3, 5, -2"},
+                                 {"Ogden",
+                                  "set Moduli = -0.3\nset Exponents = -4\n"
+                                  "set nu = 0.4"},
+                                 {"Guccione",
+                                  "set C = 0.2\nset b_f = 1.1\nset b_t = 0.4\n"
+                                  "set b_fs = 0.6"},
+                                 {"Guccione",
+                                  "set C = 0.2\nset b_f = 0.4\nset b_t = 0.9\n"
+                                  "set b_fs = 0.3\nset nu = 0.4"},
                                  {"Hooke", "set E = 0.7"},
                                  {"Hooke", "set E = 0.7\nset nu = 0.3"}};
 
@@ -45,10 +64,18 @@ namespace
     Tensor<1, dim> f;
     f[0] = 0.6;
     f[2] = 0.8;
-    return {ReferencePoint(),
-            active_stretch_map({{f, 0.7}}),
-            rest_shape_map(F_rest, unit),
-            rest_shape_map(F_rest, F_rest)};
+    std::vector<ReferencePoint> points = {ReferencePoint(),
+                                          active_stretch_map({{f, 0.7}}),
+                                          rest_shape_map(F_rest, unit),
+                                          rest_shape_map(F_rest, F_rest)};
+    // For laws with fibres.
+    Tensor<1, dim> g;
+    g[0] = 0.36;
+    g[1] = -0.48;
+    g[2] = 0.8;
+    for (ReferencePoint &point : points)
+      point.fibres = {invert(point.G_inverse) * g};
+    return points;
   }
 } // namespace
 
@@ -136,6 +163,60 @@ TEST(Laws, UniaxialTensionHasTheClosedForm)
       EXPECT_NEAR(sigma[0][0] - sigma[1][1],
                   (a + b / lambda) * (lambda * lambda - 1. / lambda),
                   1e-12);
+    }
+}
+
+
+
+TEST(Laws, OgdenIsSmoothWhereStretchesAreEqual)
+{
+  // The tangent is the derivative of the stress at rest, where two stretches
+  // are equal, and where they are so but for rounding.
+  const auto law = read_plugin<MaterialLaw>(
+    "Ogden", "set Moduli = 0.63, 0.0012, -0.01\nset Exponents = 1.3, 5, -2");
+  for (const double other : {1., 1.3, 1.3 + 4e-16, 1.3 + 1e-12, 1.3 + 1e-7})
+    {
+      const Gradient   F = gradient({other, 0, 0, 0, 1.3, 0, 0, 0, 1.});
+      MaterialResponse at, plus, minus;
+      for (const Gradient &deformation : {F, Gradient(unit)})
+        {
+          law->evaluate(deformation, p, ReferencePoint(), true, at);
+          for (unsigned int k = 0; k < dim; ++k)
+            for (unsigned int L = 0; L < dim; ++L)
+              {
+                Gradient F_plus = deformation, F_minus = deformation;
+                F_plus[k][L] += h;
+                F_minus[k][L] -= h;
+                law->evaluate(F_plus, p, ReferencePoint(), false, plus);
+                law->evaluate(F_minus, p, ReferencePoint(), false, minus);
+                for (unsigned int i = 0; i < dim; ++i)
+                  for (unsigned int J = 0; J < dim; ++J)
+                    EXPECT_NEAR(at.A[dim * i + J][dim * k + L],
+                                (plus.P[i][J] - minus.P[i][J]) / (2 * h),
+                                1e-8);
+              }
+        }
+    }
+}
+
+
+
+TEST(Laws, OgdenIncludesMooneyRivlin)
+{
+  const auto ogden = read_plugin<MaterialLaw>(
+    "Ogden", "set Moduli = 0.5, -0.3\nset Exponents = 2, -2");
+  const auto mooney =
+    read_plugin<MaterialLaw>("Mooney-Rivlin", "set a = 0.5\nset b = 0.3");
+  EXPECT_NEAR(ogden->shear_modulus(), mooney->shear_modulus(), 1e-15);
+  MaterialResponse one, other;
+  for (const ReferencePoint &reference : reference_points())
+    {
+      ogden->evaluate(F_general, p, reference, true, one);
+      mooney->evaluate(F_general, p, reference, true, other);
+      EXPECT_NEAR((one.P - other.P).norm(), 0., 1e-13);
+      for (unsigned int i = 0; i < dim * dim; ++i)
+        for (unsigned int k = 0; k < dim * dim; ++k)
+          EXPECT_NEAR(one.A[i][k], other.A[i][k], 1e-12);
     }
 }
 

@@ -140,14 +140,10 @@ namespace
       for (const Muscle *muscle : tissue.muscles())
         point.fibres.push_back({muscle->fibre_direction({}),
                                 muscle->activation(t, 1, {})});
-      point.reference = tissue.reference_map(point.fibres);
+      point.reference = tissue.reference_map(point.fibres, {});
       return point;
     }
 
-    Tissue tissue{"flesh"};
-    Muscle pull{"pull"}, shorten{"shorten"};
-
-  private:
     static void
     read(ParameterOwner &owner, const std::string &text)
     {
@@ -159,6 +155,9 @@ namespace
       prm.parse_input_from_string(text);
       owner.check_parameters();
     }
+
+    Tissue tissue{"flesh"};
+    Muscle pull{"pull"}, shorten{"shorten"};
   };
 } // namespace
 
@@ -404,4 +403,74 @@ end
   least = dealii::Utilities::MPI::min(least, body.comm);
   most  = dealii::Utilities::MPI::max(most, body.comm);
   EXPECT_NEAR(most - least, 2. * (1. - l), 1e-7);
+}
+
+
+
+TEST(Tissues, ElasticFibresHaveAnEnergy)
+{
+  // Families that cross, one of them dispersed, beside a law with fibres of its
+  // own, in a muscle that has contracted and in a body that has grown.
+  Tissue tissue("crossed");
+  Flesh::read(tissue,
+              "set Law = Guccione\nsubsection Guccione\n set C = 0.2\n"
+              " set b_f = 1.1\nend\n"
+              "subsection Elastic fibres\n set Names = one, other\n"
+              " subsection one\n  set Fibres = direction\n  set k1 = 0.4\n"
+              "  set k2 = 0.7\n"
+              "  subsection direction\n   set Direction = 0.8, 0.6, 0\n  end\n"
+              " end\n"
+              " subsection other\n  set Fibres = direction\n  set k1 = 0.3\n"
+              "  set k2 = 0\n  set kappa = 0.1\n"
+              "  subsection direction\n   set Direction = 0.8, -0.6, 0\n  end\n"
+              " end\nend\n");
+  tissue.set_muscles({});
+  tissue.initialize("Tissues/crossed", *Registry<Geometry>::create("block"));
+  const auto fibres = tissue.elastic_fibres({});
+  ASSERT_EQ(fibres.size(), 3u);
+  EXPECT_EQ(fibres[0][0], 1.);
+  EXPECT_NEAR(fibres[2][1], -0.6, 1e-15);
+
+  Tensor<1, dim> f;
+  f[0] = 0.6;
+  f[2] = 0.8;
+  for (const double lambda : {1., 0.8})
+    for (const double J_v : {1., 0.9})
+      {
+        MaterialPoint point;
+        point.reference     = active_stretch_map({{f, lambda}});
+        point.reference.J_v = J_v;
+        const auto G        = invert(point.reference.G_inverse);
+        for (const auto &fibre : fibres)
+          point.reference.fibres.push_back(G * fibre);
+
+        // Free of stress in the shape that is.
+        MaterialResponse at, plus, minus;
+        tissue.evaluate(std::cbrt(J_v) * G, 0., point, false, at);
+        EXPECT_NEAR(at.P.norm(), 0., 1e-14);
+
+        tissue.evaluate(F_general, p, point, true, at);
+        MaterialResponse law;
+        tissue.law().evaluate(F_general, p, point.reference, false, law);
+        EXPECT_GT((at.P - law.P).norm(), 0.05);
+        for (unsigned int k = 0; k < dim; ++k)
+          for (unsigned int L = 0; L < dim; ++L)
+            {
+              Tensor<2, dim> F_plus = F_general, F_minus = F_general;
+              F_plus[k][L] += h;
+              F_minus[k][L] -= h;
+              EXPECT_NEAR(at.P[k][L],
+                          (tissue.energy(F_plus, p, point.reference) -
+                           tissue.energy(F_minus, p, point.reference)) /
+                            (2 * h),
+                          1e-8);
+              tissue.evaluate(F_plus, p, point, false, plus);
+              tissue.evaluate(F_minus, p, point, false, minus);
+              for (unsigned int i = 0; i < dim; ++i)
+                for (unsigned int J = 0; J < dim; ++J)
+                  EXPECT_NEAR(at.A[dim * i + J][dim * k + L],
+                              (plus.P[i][J] - minus.P[i][J]) / (2 * h),
+                              1e-6);
+            }
+      }
 }

@@ -17,6 +17,8 @@ namespace lumbricus
     ReferencePoint reference;
     /** The fibres of Tissue::muscles(), in their order. */
     std::vector<MuscleFibre> fibres;
+    /** Tissue::elastic_fibres(). */
+    std::vector<dealii::Tensor<1, dim>> elastic_fibres;
   };
 } // namespace lumbricus
 

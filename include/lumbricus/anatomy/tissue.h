@@ -2,19 +2,23 @@
 #ifndef lumbricus_anatomy_tissue_h
 #define lumbricus_anatomy_tissue_h
 
+#include <lumbricus/anatomy/fibre_family.h>
 #include <lumbricus/anatomy/material_point.h>
 #include <lumbricus/anatomy/muscle.h>
 #include <lumbricus/materials/material_law.h>
+#include <lumbricus/parameters/named_list.h>
 #include <lumbricus/parameters/registry.h>
+#include <lumbricus/parameters/section.h>
 
 #include <string>
 #include <vector>
 
 namespace lumbricus
 {
-  /** A tissue of the body: its law and the muscles whose fibres run in it. What
-   * a point answers to its deformation is the answer of both. */
-  class Tissue : public ParameterOwner
+  /** A tissue of the body: its law, elastic fibres in it, and the muscles whose
+   * fibres run in it. What a point answers to its deformation is the answer of
+   * all. */
+  class Tissue : public PartOfBody
   {
   public:
     /** The tissue of the section Tissues/@p name. */
@@ -29,6 +33,10 @@ namespace lumbricus
 
     void
     check_parameters() const override;
+
+    /** Those of its law and of its elastic fibres. */
+    void
+    initialize(const std::string &section, const Geometry &geometry) override;
 
     /** Let its law be, by default, that of the liquid inside a wall. Only
      * before extend_parameters(). */
@@ -71,14 +79,30 @@ namespace lumbricus
     const std::vector<const Muscle *> &
     muscles() const;
 
+    /** Whether it has elastic fibres, of its law or beside it. */
+    bool
+    has_elastic_fibres() const;
+
+    /** The unit vectors at @p X along its elastic fibres: those of its law, then
+     * its families. Throws ExcInput, naming the tissue. */
+    std::vector<dealii::Tensor<1, dim>>
+    elastic_fibres(const dealii::Point<dim> &X) const;
+
     /** The reference map that its muscles make, where their fibres are @p
-     * fibres, one per muscle. */
+     * fibres, one per muscle, and what it does to elastic fibres that have the
+     * directions @p elastic at rest. */
     ReferencePoint
-    reference_map(const std::vector<MuscleFibre> &fibres) const;
+    reference_map(const std::vector<MuscleFibre>            &fibres,
+                  const std::vector<dealii::Tensor<1, dim>> &elastic) const;
+
+    /** psi of the law and of the elastic fibres [N/mm^2]. */
+    double
+    energy(const dealii::Tensor<2, dim> &F,
+           const double                  p,
+           const ReferencePoint         &reference) const;
 
     /**
-     * The response of the law and of the muscles at @p point: P, Q, c and
-     * dc_dp, and A where @p with_tangent, at the deformation gradient @p F with
+     * The response of law, fibres and muscles at @p point: P, Q, c and dc_dp, and A where @p with_tangent, at the deformation gradient @p F with
      * det F > 0 and the pressure variable @p p (positive in tension).
      */
     void
@@ -93,6 +117,7 @@ namespace lumbricus
     Choice<MaterialLaw>      law_choice;
     double                   mass_density = 1.05e-9;
     std::vector<std::string> names_of_muscles;
+    Section<NamedList<FibreFamily>> families;
 
     // What was chosen, found once: evaluate() is called at every point.
     const MaterialLaw                *chosen_law = nullptr;

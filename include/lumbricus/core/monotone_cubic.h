@@ -8,15 +8,15 @@ namespace lumbricus
    * line of this @p slope from one to the other. */
   struct TableLine
   {
-    double h;
-    double slope;
+    double h;     ///< of the first column
+    double slope; ///< per unit of the first column
   };
 
   /** A value and its derivative. */
   struct ValueAndSlope
   {
-    double value;
-    double slope;
+    double value; ///< of the curve
+    double slope; ///< its derivative
   };
 
   /**

@@ -3,10 +3,13 @@
 #define lumbricus_materials_material_law_h
 
 #include <lumbricus/core/dimension.h>
-#include <lumbricus/parameters/parameter_owner.h>
+#include <lumbricus/fibres/fibre_field.h>
+#include <lumbricus/geometry/part_of_body.h>
 #include <lumbricus/reference_map/reference_point.h>
 
 #include <deal.II/base/tensor.h>
+
+#include <vector>
 
 namespace lumbricus
 {
@@ -41,9 +44,17 @@ namespace lumbricus
 
 
   /** A constitutive law of the displacement-pressure form. Tensors only. */
-  class MaterialLaw : public ParameterOwner
+  class MaterialLaw : public PartOfBody
   {
   public:
+    /** The fibres that make it anisotropic, those of ReferencePoint::fibres, in
+     * their order. After initialize(). */
+    virtual std::vector<const FibreField *>
+    fibre_fields() const
+    {
+      return {};
+    }
+
     /** psi(F, p), for tests and energy balances [N/mm^2]. */
     virtual double
     energy(const dealii::Tensor<2, dim> &F,

@@ -90,6 +90,13 @@ namespace lumbricus
       return sections.size();
     }
 
+    /** The name of number @p i. */
+    const std::string &
+    name(const std::size_t i) const
+    {
+      return sections[i].first;
+    }
+
     /** Object number @p i, in the order of the names. */
     T &
     operator[](const std::size_t i)

@@ -7,6 +7,8 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
+#include <vector>
+
 namespace lumbricus
 {
   /**
@@ -25,6 +27,9 @@ namespace lumbricus
     /** Of a liquid that flows: the shape that it has is always its stress-free
      * one, and G is not asked for. */
     bool flows = false;
+    /** G f for each family of fibres that the law has, f its unit vector at
+     * rest: where the fibre is in the stress-free shape, and how long. */
+    std::vector<dealii::Tensor<1, dim>> fibres = {};
   };
 } // namespace lumbricus
 

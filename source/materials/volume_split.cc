@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/materials/isochoric_law.h>
+#include <lumbricus/materials/volume_split.h>
 
 #include <deal.II/base/patterns.h>
 
@@ -12,13 +12,19 @@ namespace lumbricus
 
   namespace
   {
-    SymmetricTensor<2, dim>
-    isochoric_left_cauchy_green(const Tensor<2, dim> &F,
-                                const double          J,
-                                const Tensor<2, dim> &G_inverse)
+    IsochoricStrain
+    isochoric_strain(const Tensor<2, dim> &F,
+                     const double          J,
+                     const ReferencePoint &reference)
     {
-      const Tensor<2, dim> Fbar_e = std::pow(J, -1. / dim) * F * G_inverse;
-      return dealii::symmetrize(Fbar_e * dealii::transpose(Fbar_e));
+      const Tensor<2, dim> Fbar_e =
+        std::pow(J, -1. / dim) * F * reference.G_inverse;
+      IsochoricStrain strain;
+      strain.bbar = dealii::symmetrize(Fbar_e * dealii::transpose(Fbar_e));
+      strain.fibres.reserve(reference.fibres.size());
+      for (const Tensor<1, dim> &Gf : reference.fibres)
+        strain.fibres.push_back(Fbar_e * Gf / Gf.norm());
+      return strain;
     }
 
 
@@ -63,7 +69,7 @@ namespace lumbricus
 
 
   void
-  IsochoricLaw::declare_parameters(dealii::ParameterHandler &prm)
+  VolumeSplit::declare_parameters(dealii::ParameterHandler &prm)
   {
     prm.add_parameter("nu",
                       nu,
@@ -74,7 +80,7 @@ namespace lumbricus
 
 
   double
-  IsochoricLaw::compressibility() const
+  VolumeSplit::compressibility() const
   {
     return 3. * (1. - 2. * nu) / (2. * shear_modulus() * (1. + nu));
   }
@@ -82,21 +88,21 @@ namespace lumbricus
 
 
   double
-  IsochoricLaw::energy(const Tensor<2, dim> &F,
+  VolumeSplit::energy(const Tensor<2, dim> &F,
                        const double          p,
                        const ReferencePoint &reference) const
   {
-    const double J    = determinant(F);
-    const auto   bbar = isochoric_left_cauchy_green(F, J, reference.G_inverse);
+    const double J      = determinant(F);
+    const auto   strain = isochoric_strain(F, J, reference);
     return reference.J_v *
-           (isochoric_energy(bbar) + p * (J / reference.J_v - 1.) -
+           (isochoric_energy(strain) + p * (J / reference.J_v - 1.) -
             0.5 * p * p * compressibility());
   }
 
 
 
   void
-  IsochoricLaw::evaluate(const Tensor<2, dim> &F,
+  VolumeSplit::evaluate(const Tensor<2, dim> &F,
                          const double          p,
                          const ReferencePoint &reference,
                          const bool            with_tangent,
@@ -106,8 +112,8 @@ namespace lumbricus
     const Tensor<2, dim> F_inv   = invert(F);
     const Tensor<2, dim> F_inv_T = transpose(F_inv);
 
-    const auto bbar    = isochoric_left_cauchy_green(F, J, reference.G_inverse);
-    const auto taubar  = stress(bbar);
+    const auto strain  = isochoric_strain(F, J, reference);
+    const auto taubar  = stress(strain);
     const auto tau_iso = deviator(taubar);
     const auto tau =
       reference.J_v * tau_iso + p * J * dealii::unit_symmetric_tensor<dim>();
@@ -121,7 +127,7 @@ namespace lumbricus
       return;
 
     const auto c_spatial =
-      spatial_tangent(taubar, tau_iso, tangent(bbar), reference.J_v, p * J);
+      spatial_tangent(taubar, tau_iso, tangent(strain), reference.J_v, p * J);
 
     // A_iJkL = F^(-1)_Jj (c_ijkl + delta_ik tau_jl) F^(-1)_Ll, one index
     // at a time; B holds F^(-1)_Jj (...)_ijkl.
