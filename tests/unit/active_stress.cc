@@ -275,7 +275,7 @@ TEST(ActiveStress, FaultsOfAFileAreSaidWithTheirLine)
     {"l, f_l\n1, 1\n", "has fewer than two rows"},
     {"l\n1\n2\n", "line 1: it has to be 'l, f_l'"},
     {"1, 2\n2, 1\n", "line 1: it has to be 'l, f_l'"},
-    {"l, f_l\n1\n", "line 2: it has 1 number for 2 columns"},
+    {"l, f_l\n1\n", "line 2: it has 1 numbers for 2 columns"},
     {"l, f_l\n1, nan\n", "line 2, column 'f_l': 'nan' is no number"},
     {"l, f_l\n1, x\n", "line 2, column 'f_l': 'x' is no number"},
     {"l, f_l\n1, 1\n# more\n1, 0.5\n", "line 4, column 'l': 1 is not greater"},
