@@ -12,7 +12,7 @@ def deformed(problem, folder, ranks, monkeypatch):
     """Where the points are in the end, by number."""
     # Paths in the cases are relative to the top folder.
     monkeypatch.chdir(SOURCE)
-    result = run_well(SOURCE / "parameters/land" / f"{problem}.prm", folder,
+    result = run_well(SOURCE / f"parameters/land/{problem}.prm", folder,
                       ["Output/Every=0"], ranks)
     rows = result.table("points.csv")
     end = max(row["t"] for row in rows)
