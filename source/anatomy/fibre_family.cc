@@ -67,6 +67,14 @@ namespace lumbricus
 
 
 
+  bool
+  FibreFamily::is_as_stiff_as(const FibreFamily &other) const
+  {
+    return k1 == other.k1 && k2 == other.k2 && kappa == other.kappa;
+  }
+
+
+
   SymmetricTensor<2, dim>
   FibreFamily::structure(const ReferencePoint &reference,
                          const Tensor<1, dim> &fibre) const

@@ -150,6 +150,14 @@ namespace lumbricus
 
 
 
+  const NamedList<FibreFamily> &
+  Tissue::fibre_families() const
+  {
+    return families;
+  }
+
+
+
   std::vector<dealii::Tensor<1, dim>>
   Tissue::elastic_fibres(const dealii::Point<dim> &X) const
   {

@@ -207,6 +207,7 @@ namespace lumbricus
     unsigned int    n_around  = 4;
     unsigned int    n_up      = 7;
     unsigned int    n_through = 1;
+    double          grading   = 1.;
   };
 
 
@@ -244,6 +245,12 @@ namespace lumbricus
                       n_up,
                       "[number] Cells from the patch at the apex to the base.",
                       dealii::Patterns::Integer(1));
+    prm.add_parameter("Grading",
+                      grading,
+                      "[-] How many times as short as on average cells are, "
+                      "from the apex to the base, where they are at the apex; "
+                      "1: they are evenly long.",
+                      dealii::Patterns::Double(1., 20.));
     prm.add_parameter("Cells through the wall",
                       n_through,
                       "[number] Cells through the thickness of the wall.",
@@ -285,6 +292,10 @@ namespace lumbricus
     const double half = 0.5 * n / (0.5 * n + n_up) * 0.9;
     CoarseMesh   mesh;
 
+    // rho of vertices that would be at s, evenly, in [0, 1].
+    const auto graded = [&](const double s) {
+      return s * (1. + (grading - 1.) * s) / grading;
+    };
     const auto add_patch = [&](const unsigned int n_i,
                                const unsigned int n_j,
                                const auto        &place) {
@@ -320,7 +331,7 @@ namespace lumbricus
       [&](const unsigned int i, const unsigned int j, const double t) {
         const double a = half * std::tan(angle(i));
         const double b = half * std::tan(angle(j));
-        return place_of(wall, std::hypot(a, b), std::atan2(b, a), t);
+        return place_of(wall, graded(std::hypot(a, b)), std::atan2(b, a), t);
       };
     add_patch(n, n, at_apex);
     mesh.n_apex_cells = mesh.cells.size();
@@ -330,7 +341,7 @@ namespace lumbricus
           [&](const unsigned int i, const unsigned int j, const double t) {
             const double inner = half / std::cos(angle(j));
             return place_of(wall,
-                            inner + (1. - inner) * i / n_up,
+                            graded(inner + (1. - inner) * i / n_up),
                             angle(j) + side * quarter,
                             t);
           };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/materials/locking_law.h>
 #include <lumbricus/parameters/patterns.h>
 #include <lumbricus/parameters/registry.h>
 
@@ -18,7 +19,7 @@ namespace lumbricus
    * same value, slope and curvature, so that trials of Newton's method that go
    * too far have a stress.
    */
-  class Gent : public FirstInvariantLaw
+  class Gent : public FirstInvariantLaw, public LockingLaw
   {
   public:
     void
@@ -40,6 +41,15 @@ namespace lumbricus
     scale_stiffness(const double factor) override
     {
       mu *= factor;
+    }
+
+    // (I1 - 3)/J_m.
+    double
+    locking(const dealii::Tensor<2, dim> &F,
+            const ReferencePoint         &reference) const override
+    {
+      const double F_e = (F * reference.G_inverse).norm();
+      return (std::pow(determinant(F), -2. / dim) * F_e * F_e - 3.) / J_m;
     }
 
   protected:

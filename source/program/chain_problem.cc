@@ -222,6 +222,7 @@ namespace lumbricus
           (record.motion.stride - step.motion.stride) / record.size;
         record.softest_stiffness =
           parameters.stability_watch.look(model, next, log);
+        locking_watch.look(model.body, model.references, next, log);
         model.end_step(next);
         charge(record, before);
         state = next;

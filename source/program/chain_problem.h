@@ -7,6 +7,7 @@
 #include <lumbricus/output/results.h>
 #include <lumbricus/output/run_description.h>
 #include <lumbricus/program/chain_model.h>
+#include <lumbricus/program/locking_watch.h>
 #include <lumbricus/program/run_watch.h>
 
 #include <deal.II/base/timer.h>
@@ -129,6 +130,7 @@ namespace lumbricus
     dealii::TimerOutput      timer;
     ChainModel               model;
     RunWatch                 watch;
+    LockingWatch             locking_watch;
     std::unique_ptr<Results> results;
     State                    first_state; ///< of this part of the run
     StepRecord               first_step;  ///< that led to it

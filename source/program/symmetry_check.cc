@@ -11,6 +11,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "elastic_fibre_symmetry.h"
+#include "plane_of_symmetry.h"
+
 namespace lumbricus
 {
   using dealii::Point;
@@ -18,28 +21,12 @@ namespace lumbricus
 
   namespace
   {
-    // As much as this, relative to the whole, goes without saying.
-    constexpr double tolerance = 1e-4;
     // More points than these of one kind on one rank are not looked at again
     // and again, at all times.
     constexpr std::size_t most_points = 200;
 
-    // A plane of symmetry x_d = c.
-    struct Plane
-    {
-      unsigned int               direction;
-      dealii::types::boundary_id boundary;
-      double                     c;
-
-      std::string
-      name() const
-      {
-        std::ostringstream out;
-        out << "the plane of symmetry "
-            << "xyz"[direction] << " = " << c;
-        return out.str();
-      }
-    };
+    using Plane                = PlaneOfSymmetry;
+    constexpr double tolerance = Plane::tolerance;
 
 
 
@@ -69,19 +56,6 @@ namespace lumbricus
 
 
 
-    template <typename Function>
-    void
-    for_each_boundary_face(const MixedSpace &space, const Function &function)
-    {
-      for (const auto &cell : space.owned_cells())
-        if (cell->at_boundary())
-          for (const auto &face : cell->face_iterators())
-            if (face->at_boundary())
-              function(cell, face);
-    }
-
-
-
     std::vector<Plane>
     planes_of(const Geometry &geometry, const MixedSpace &space)
     {
@@ -107,17 +81,11 @@ namespace lumbricus
                     const Point<dim>     &X,
                     const Tensor<1, dim> &depth)
     {
-      const auto f      = muscle.fibre_direction(X);
-      double     change = 0.;
-      for (const double part : {0.125, 0.25, 0.5, 1.})
-        if (change == 0.)
-          {
-            const auto g = muscle.fibre_direction(X + part * depth);
-            change =
-              (dealii::outer_product(f, f) - dealii::outer_product(g, g))
-                .norm();
-          }
-      return 0.5 * 1.5 * change;
+      return 0.5 * 1.5 *
+             change_to_next_sample(
+               [&](const Point<dim> &Y) { return muscle.fibre_direction(Y); },
+               X,
+               depth);
     }
 
 
@@ -157,41 +125,20 @@ namespace lumbricus
                     const MixedSpace &space,
                     const Anatomy    &anatomy)
     {
-      std::vector<MusclePoint>  points;
-      dealii::FEFaceValues<dim> face_values(space.mapping,
-                                            space.fe,
-                                            space.face_quadrature,
-                                            dealii::update_quadrature_points);
-      for_each_boundary_face(space, [&](const auto &cell, const auto &face) {
-        const Region region = Region::of(cell->material_id());
-        if (face->boundary_id() != plane.boundary ||
-            anatomy.muscles_of(region.tissue).empty())
+      std::vector<MusclePoint> points;
+      const auto               look = [&](const Region          region,
+                                         const Point<dim>     &X,
+                                         const Tensor<1, dim> &depth) {
+        if (anatomy.muscles_of(region.tissue).empty())
           return;
-        Tensor<1, dim> depth;
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            const double distance =
-              cell->vertex(v)[plane.direction] - plane.c;
-            if (std::abs(distance) > std::abs(depth[plane.direction]))
-              depth[plane.direction] = distance;
-          }
-        face_values.reinit(mesh_cell(cell), face);
-        for (const unsigned int q : face_values.quadrature_point_indices())
-          try
-            {
-              MusclePoint point;
-              point.X                  = face_values.quadrature_point(q);
-              point.X[plane.direction] = plane.c;
-              point.segment = region.segment + 1;
-              point.muscles = &anatomy.muscles_of(region.tissue);
-              if (!look_at_fibres(point, plane.direction, depth))
-                points.push_back(point);
-            }
-          catch (const ExcInput &)
-            {
-              // No direction right there: cells are asked elsewhere.
-            }
-      });
+        MusclePoint point;
+        point.X       = X;
+        point.segment = region.segment + 1;
+        point.muscles = &anatomy.muscles_of(region.tissue);
+        if (!look_at_fibres(point, plane.direction, depth))
+          points.push_back(point);
+      };
+      for_each_point_of(plane, space, look);
       thin_out(points);
       return points;
     }
@@ -240,9 +187,7 @@ namespace lumbricus
                     << ", where fibres have to be at 0 or 90 degrees to it, or "
                        "crossed and equally active. "
                     << anatomy.geometry().way_without_symmetry()
-                    << " Where the other half is to have the mirror image of "
-                       "these fibres, set 'Boundary conditions/Check symmetry' "
-                       "to false.";
+                    << Plane::way_without_check();
             return message.str();
           }
       return "";
@@ -432,8 +377,8 @@ namespace lumbricus
     prm.enter_subsection("Boundary conditions");
     prm.add_parameter("Check symmetry",
                       required,
-                      "Whether to refuse muscles, tractions and body forces "
-                      "that do not go on smoothly in the mirror image of the body at a plane "
+                      "Whether to refuse muscles, elastic fibres, tractions and "
+                      "body forces that do not go on smoothly in the mirror image of the body at a plane "
                       "of symmetry, such as helical fibres at a quarter of a "
                       "cross-section. 'false' where that mirror image is "
                       "meant: the fibres of a bipennate muscle.");
@@ -455,6 +400,8 @@ namespace lumbricus
         {
           if (required && message.empty())
             message = asymmetric_muscles(plane, space, anatomy, times);
+          if (required && message.empty())
+            message = asymmetric_elastic_fibres(plane, space, anatomy);
           for (unsigned int i = 0;
                i < conditions.n_conditions() && message.empty();
                ++i)

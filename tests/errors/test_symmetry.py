@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Half and quarter sections hold for fields that are symmetric, and nothing
 said so: helical fibres on a quarter gave a segment that was 9.6 % too long and
-a pressure 52 % too high, with exit code 0. Muscles, tractions and prescribed
-displacements are looked at on every plane of symmetry, at all times."""
+a pressure 52 % too high, with exit code 0. Muscles, elastic fibres, tractions and
+prescribed displacements are looked at on every plane of symmetry, at all times."""
 import pathlib
 
 import pytest
@@ -36,6 +36,22 @@ def load(boundary, kind, *settings, names="push, some"):
             *(f"{section}/{kind}/{s}" for s in settings)]
 
 
+def elastic(*families):
+    """Elastic fibres of the wall: a name, helical at this angle, this stiff."""
+    section = "Tissues/wall/Elastic fibres"
+    result = [f"{section}/Names=" + ", ".join(f[0] for f in families)]
+    for name, angle, k1 in families:
+        result += [f"{section}/{name}/Fibres=helical",
+                   f"{section}/{name}/helical/Angle={angle}",
+                   f"{section}/{name}/k1={k1}"]
+    return result
+
+
+def guccione(angle):
+    return ["Tissues/wall/Law=Guccione", "Tissues/wall/Guccione/Fibres=helical",
+            f"Tissues/wall/Guccione/helical/Angle={angle}"]
+
+
 def helix(name, angle, formula="1 - 0.25*t"):
     return (name, "helical", [f"Angle={angle}"], formula)
 
@@ -57,6 +73,23 @@ MISTAKES = [
     ("crossed helices of different angles", CHAIN,
      muscles("wall", helix("left", -45), helix("right", 40)),
      ["'left' (fibres at 45 degrees", "'right' (fibres at 40 degrees"]),
+    ("one family of elastic helices", CHAIN, elastic(("left", 40, 0.1)),
+     ["The elastic fibres 'left' of the tissue 'wall' (at 40 degrees to it) "
+      "are not symmetric to the plane of symmetry y = 0", FULL,
+      "'Boundary conditions/Check symmetry'"]),
+    ("crossed elastic helices of which one is stiffer", CHAIN,
+     elastic(("left", 40, 0.1), ("right", -40, 0.2)),
+     ["The elastic fibres 'left'", "crossed by equally stiff ones"]),
+    ("two elastic helices against one", CHAIN,
+     elastic(("left", 40, 0.1), ("more", 40, 0.1), ("right", -40, 0.1)),
+     ["The elastic fibres 'left'"]),
+    ("a law whose fibres are helices", CHAIN, guccione(30),
+     ["The elastic fibres of the law Guccione of the tissue 'wall' (at 30"]),
+    ("elastic fibres of a file", BAR,
+     ["Tissues/bar/Elastic fibres/Names=m",
+      "Tissues/bar/Elastic fibres/m/Fibres=file",
+      "Tissues/bar/Elastic fibres/m/file/File=FOLDER/oblique.csv"],
+     ["The elastic fibres 'm' of the tissue 'bar' (at 45 degrees to it"]),
     ("fibres of a formula", BAR, muscles(
         "bar", ("m", "vector expression", ["Formulas=1; 0.5; 0"], "1 - 0.1*t")),
      ["The muscle 'm'", "Take the axis out of 'Geometry/block/Symmetry'"]),
@@ -77,6 +110,7 @@ MISTAKES = [
       "displacement along the normal, uz = 0.002 mm"]),
 ]
 CASES = on_ranks(MISTAKES, on_two=["helix on a quarter", "torque",
+                                   "one family of elastic helices",
                                    "displacement of a plane along its normal"])
 
 
@@ -111,6 +145,11 @@ SYMMETRIC = {
         ("along", "longitudinal", [], "1 - 0.1*t"),
         ("out", "radial", [], "1 + 0.01*t")),
     "crossed helices": muscles("wall", helix("left", -45), helix("right", 45)),
+    "crossed elastic helices, and one family along": elastic(
+        ("left", 40, 0.1), ("right", -40, 0.1), ("along", 0, 0.3)),
+    "a law whose fibres are rings": guccione(90),
+    "the mirror image of elastic fibres is meant": elastic(
+        ("left", 40, 0.1)) + ["Boundary conditions/Check symmetry=false"],
     "muscle at rest": muscles("wall", helix("helix", 45, "1")),
     "radial traction": load("skin", "dead traction",
                             "Traction=0; -0.001*t*y/2; -0.001*t*z/2"),

@@ -108,6 +108,25 @@ def test_uniaxial_laws(tmp_path, name, stretch, ranks):
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("share", [0.88, 0.96])
+def test_gent_says_that_it_is_about_to_lock(tmp_path, share, ranks):
+    """Once, from (I1 - 3)/J_m = 0.9 on."""
+    stretch = 3
+    settings = law("Gent", mu=0.23, J_m=(stretch**2 + 2 / stretch - 3) / share)
+    settings += load("hand", "x max", "displacement", Components="x",
+                     Displacement=f"{stretch - 1}*t; 0; 0")
+    settings += ["Time/First step=0.25", "Time/Largest step=0.25"]
+    settings += ["Time/End=1.004"] # one more step in which it is there
+    result = run_well(HERE / "bar.prm", tmp_path, settings, ranks)
+    told = result.log.count("Warning: from time 1 on the tissue 'bar' of "
+                            "segment 1 is about to lock")
+    assert told == result.log.count("about to lock") == (share > 0.9)
+    if told:
+        assert f"it is at {share:.3g} of the I1 - 3" in result.log
+        assert "its law, Gent, ends at" in result.log
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("stretch", [0.6, 0.8, 1.3])
 def test_free_muscle_takes_its_active_length(tmp_path, stretch, ranks):
     settings = muscle(stretch) + ["Output/Points=0.5, 0.5, 0.5"]

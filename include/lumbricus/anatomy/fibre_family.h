@@ -52,6 +52,10 @@ namespace lumbricus
       return *fibre_choice;
     }
 
+    /** Whether those of @p other are as stiff, in whatever direction. */
+    bool
+    is_as_stiff_as(const FibreFamily &other) const;
+
     /** psi at F, where @p fibre is its vector of ReferencePoint::fibres
      * [N/mm^2]. */
     double

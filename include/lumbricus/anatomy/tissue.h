@@ -83,6 +83,10 @@ namespace lumbricus
     bool
     has_elastic_fibres() const;
 
+    /** Its families of elastic fibres, without those of its law. */
+    const NamedList<FibreFamily> &
+    fibre_families() const;
+
     /** The unit vectors at @p X along its elastic fibres: those of its law, then
      * its families. Throws ExcInput, naming the tissue. */
     std::vector<dealii::Tensor<1, dim>>

@@ -16,6 +16,7 @@ namespace lumbricus
    * With the mirror R = I - 2 e x e, at a plane with normal e:
    *
    *   R G R = G,   so that e . ln G t = 0 for every t in the plane,
+   *   R f x R f = f x f   for the elastic fibres f, or as stiff ones,
    *   T . e = 0    where a surface with the traction T ends at the plane,
    *   u . e = 0    where a prescribed displacement does.
    *
@@ -31,7 +32,7 @@ namespace lumbricus
 
     /**
      * Look at every plane of symmetry, at @p times. Throws ExcInput, which
-     * names the muscle or the load, the plane, the place and how much it is.
+     * names the fibres or the load, the plane, the place and how much it is.
      * Collective.
      */
     void
