@@ -94,19 +94,19 @@ namespace lumbricus
 
   protected:
     double
-    isochoric_energy(const IsochoricStrain &strain) const override
+    energy_at(const IsochoricStrain &strain) const override
     {
       return 0.5 * C * std::expm1(exponent(strain));
     }
 
     SymmetricTensor<2, dim>
-    stress(const IsochoricStrain &strain) const override
+    stress_at(const IsochoricStrain &strain) const override
     {
       return 0.5 * C * std::exp(exponent(strain)) * slope(strain);
     }
 
     SymmetricTensor<4, dim>
-    tangent(const IsochoricStrain &strain) const override
+    tangent_at(const IsochoricStrain &strain) const override
     {
       const SymmetricTensor<2, dim> &b = strain.bbar;
       const Tensor<1, dim>          &a = strain.fibres[0];

@@ -95,7 +95,7 @@ namespace lumbricus
     const double J      = determinant(F);
     const auto   strain = isochoric_strain(F, J, reference);
     return reference.J_v *
-           (isochoric_energy(strain) + p * (J / reference.J_v - 1.) -
+           (energy_at(strain) + p * (J / reference.J_v - 1.) -
             0.5 * p * p * compressibility());
   }
 
@@ -113,7 +113,7 @@ namespace lumbricus
     const Tensor<2, dim> F_inv_T = transpose(F_inv);
 
     const auto strain  = isochoric_strain(F, J, reference);
-    const auto taubar  = stress(strain);
+    const auto taubar  = stress_at(strain);
     const auto tau_iso = deviator(taubar);
     const auto tau =
       reference.J_v * tau_iso + p * J * dealii::unit_symmetric_tensor<dim>();
@@ -127,7 +127,7 @@ namespace lumbricus
       return;
 
     const auto c_spatial =
-      spatial_tangent(taubar, tau_iso, tangent(strain), reference.J_v, p * J);
+      spatial_tangent(taubar, tau_iso, tangent_at(strain), reference.J_v, p * J);
 
     // A_iJkL = F^(-1)_Jj (c_ijkl + delta_ik tau_jl) F^(-1)_Ll, one index
     // at a time; B holds F^(-1)_Jj (...)_ijkl.

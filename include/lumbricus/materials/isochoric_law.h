@@ -33,19 +33,19 @@ namespace lumbricus
 
   private:
     double
-    isochoric_energy(const IsochoricStrain &strain) const final
+    energy_at(const IsochoricStrain &strain) const final
     {
       return isochoric_energy(strain.bbar);
     }
 
     dealii::SymmetricTensor<2, dim>
-    stress(const IsochoricStrain &strain) const final
+    stress_at(const IsochoricStrain &strain) const final
     {
       return stress(strain.bbar);
     }
 
     dealii::SymmetricTensor<4, dim>
-    tangent(const IsochoricStrain &strain) const final
+    tangent_at(const IsochoricStrain &strain) const final
     {
       return tangent(strain.bbar);
     }

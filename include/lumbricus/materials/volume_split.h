@@ -62,17 +62,17 @@ namespace lumbricus
   protected:
     /** W [N/mm^2]. */
     virtual double
-    isochoric_energy(const IsochoricStrain &strain) const = 0;
+    energy_at(const IsochoricStrain &strain) const = 0;
 
     /** taubar = 2 Fbar_e dW/dCbar Fbar_e^T, before its trace is taken off,
      * where Cbar = Fbar_e^T Fbar_e. */
     virtual dealii::SymmetricTensor<2, dim>
-    stress(const IsochoricStrain &strain) const = 0;
+    stress_at(const IsochoricStrain &strain) const = 0;
 
     /** cbar, which is 4 d2W/(dCbar dCbar) with each index taken to the deformed
      * shape by Fbar_e. */
     virtual dealii::SymmetricTensor<4, dim>
-    tangent(const IsochoricStrain &strain) const = 0;
+    tangent_at(const IsochoricStrain &strain) const = 0;
 
   private:
     double nu = 0.5;
