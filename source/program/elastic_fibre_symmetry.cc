@@ -68,12 +68,10 @@ namespace lumbricus
             const Tensor<1, dim> &depth) const
       {
         return fields[i]->is_sampled() ?
-                 0.5 * change_to_next_sample(
-                         [&](const Point<dim> &Y) {
-                           return fields[i]->direction(Y);
-                         },
-                         X,
-                         depth) :
+                 sampling_error(
+                   [&](const Point<dim> &Y) { return fields[i]->direction(Y); },
+                   X,
+                   depth) :
                  0.;
       }
 

@@ -101,24 +101,26 @@ namespace lumbricus
 
 
 
-  /** By how much f x f changes from @p X up to the next sample along @p depth,
-   * where f = @p direction(X) is that of the nearest sample. */
+  /** By how much f x f may be off on the plane where f = @p direction(X) is that of
+   * the nearest sample: half of what it changes from @p X up to the next sample along
+   * @p depth, the way out of the cell. Where cells are bent that may be nearest
+   * a while behind it only. */
   template <typename Direction>
   double
-  change_to_next_sample(const Direction              &direction,
+  sampling_error(const Direction              &direction,
                         const dealii::Point<dim>     &X,
                         const dealii::Tensor<1, dim> &depth)
   {
     const auto f      = direction(X);
     double     change = 0.;
-    for (const double part : {0.125, 0.25, 0.5, 1.})
+    for (const double part : {0.125, 0.25, 0.5, 1., 1.5})
       if (change == 0.)
         {
           const auto g = direction(X + part * depth);
           change =
             (dealii::outer_product(f, f) - dealii::outer_product(g, g)).norm();
         }
-    return change;
+    return 0.5 * change;
   }
 } // namespace lumbricus
 

@@ -74,15 +74,14 @@ namespace lumbricus
 
 
     // By how much 3/2 f x f may be off on the plane where f is that of a sample
-    // at X: by half of what it changes up to the next one. The way out of the
-    // cell is @p depth.
+    // at X. The way out of the cell is @p depth.
     double
     slack_of_sample(const Muscle         &muscle,
                     const Point<dim>     &X,
                     const Tensor<1, dim> &depth)
     {
-      return 0.5 * 1.5 *
-             change_to_next_sample(
+      return 1.5 *
+             sampling_error(
                [&](const Point<dim> &Y) { return muscle.fibre_direction(Y); },
                X,
                depth);
