@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Muscles that a running controller tells what to do: those that it tells what a
+formula says do what the formula does, on any number of ranks and after a restart."""
+import math
+import pathlib
+
+import pytest
+from controlled_run import Controller, controlled, serving
+from lumbricus_run import go_on, run_well
+from test_invariance import TO_THE_END, equal
+
+HERE = pathlib.Path(__file__).parent
+CHAIN = HERE / "chain.prm"
+BAR = HERE / "twitch.prm"
+MUSCLES = ["longitudinal", "circular"]
+# Other steps than those that can be written down exactly.
+STEPS = ["Time/First step=0.07", "Time/Largest step=0.07", "Time/End=0.21"]
+
+
+class Formulas(Controller):
+    """What chain.prm says, and what was asked."""
+
+    def __init__(self):
+        self.asked = []
+
+    def step(self, t, dt, segments):
+        self.asked.append((t, dt, segments))
+        end = t + dt
+        circular = []
+        for s in (1, 2, 3):
+            phase = (end - (s - 1) / 3) % 1 / 0.5
+            pulse = (1 - math.cos(2 * math.pi * phase)) / 2 if phase < 1 else 0
+            circular.append(1 - 0.1*pulse)
+        return {"circular": circular,
+                "longitudinal": [1 - 0.1*end*s/3 for s in (1, 2, 3)]}
+
+
+class Bar(Controller):
+    """One muscle that shortens by a fifth a time unit, with a limit for steps."""
+
+    def __init__(self, largest_dt=None):
+        self.asked = []
+        self.largest_dt = largest_dt
+
+    def step(self, t, dt, segments):
+        self.asked.append((t, dt))
+        answer = {"fibres": 1 - 0.2*(t + dt)}
+        if self.largest_dt is not None:
+            answer["largest_dt"] = self.largest_dt
+        return answer
+
+
+def steps(run):
+    return [row["t"] for row in run.table("steps.csv")]
+
+
+@pytest.fixture(scope="module")
+def formulas(tmp_path_factory):
+    return run_well(CHAIN, tmp_path_factory.mktemp("formulas"),
+                    STEPS + TO_THE_END)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_controller_is_as_good_as_the_formula(tmp_path, formulas, ranks):
+    controller = Formulas()
+    with serving(controller) as address:
+        run = run_well(CHAIN, tmp_path, [
+            *controlled(MUSCLES, address), *STEPS, *TO_THE_END], ranks)
+    assert steps(run) == steps(formulas)
+    equal(run.segments(), formulas.segments(), 1e-9)
+    # Asked once a step, and told what is in segments.csv at its beginning.
+    assert [t for t, _, _ in controller.asked] == steps(run)[:-1]
+    for t, dt, segments in controller.asked:
+        assert dt == pytest.approx(0.07)
+        rows = [row for row in run.segments() if row["t"] == t]
+        for told, row in zip(segments, rows, strict=True):
+            assert told.keys() == {"segment", "length", "radius", "pressure",
+                                   "fluid_volume", "contact"}
+            for name, column in (("segment", "segment"), ("length", "length"),
+                                 ("radius", "mid_radius"),
+                                 ("pressure", "fluid_pressure"),
+                                 ("fluid_volume", "fluid_volume")):
+                assert told[name] == pytest.approx(row[column], rel=1e-9,
+                                                   abs=1e-12)
+            assert told["contact"] == 0
+
+
+def test_a_restart_asks_for_what_comes_only(tmp_path):
+    def result(run, name, end, addresses_of=controlled):
+        controller = Formulas()
+        with serving(controller) as address:
+            found = run(name, [*addresses_of(MUSCLES, address),
+                               f"Time/End={end}"])
+        return found, [t for t, _, _ in controller.asked]
+
+    def fresh(name, settings):
+        return run_well(CHAIN, tmp_path / name, [
+            *STEPS[:2], *TO_THE_END, "Checkpoints/Steps=2", *settings])
+
+    whole, asked = result(fresh, "whole", 0.21)
+    assert asked == steps(whole)[:-1]
+    result(fresh, "parts", 0.14)
+    # The address has changed, as that of a test does.
+    parts, asked = result(
+        lambda name, settings: go_on(tmp_path / name, settings), "parts", 0.21,
+        lambda muscles, address: [f"Muscles/{muscle}/server/Address={address}"
+                                  for muscle in muscles])
+    assert asked == steps(whole)[2:-1]
+    equal(parts.segments(), whole.segments(), 1e-12)
+
+
+def bar(folder, controller, settings=()):
+    with serving(controller) as address:
+        return run_well(BAR, folder, [*controlled(["fibres"], address),
+                                      "Time/End=0.2", *settings])
+
+
+def test_one_number_is_for_all_segments(tmp_path):
+    """A free bar is as long as its muscle says, at the end of each step."""
+    run = bar(tmp_path, Bar())
+    for row in run.table("points.csv"):
+        assert row["ux"] == pytest.approx(-0.4*row["t"], abs=1e-9)
+
+
+def test_a_controller_makes_steps_shorter(tmp_path):
+    controller = Bar(0.02)
+    run = bar(tmp_path, controller)
+    assert steps(run) == pytest.approx([0.02*i for i in range(11)])
+    # The first step is asked for again, the others are known to be so short.
+    assert controller.asked[0] == (0, 0.05)
+    assert [dt for _, dt in controller.asked[1:]] == pytest.approx([0.02]*10)
+
+
+def test_a_step_that_is_cut_is_asked_for_again(tmp_path):
+    """A muscle that shortens to a tenth at once: Newton's method wants shorter
+    steps, each with a value of its own."""
+    class Strong(Bar):
+        def step(self, t, dt, segments):
+            self.asked.append((t, dt))
+            return {"fibres": 1 - 0.9*(t + dt)}
+
+    controller = Strong()
+    settings = ["Time/End=1", "Time/First step=1", "Time/Largest step=1",
+                "Newton/Most iterations=4"]
+    run = bar(tmp_path, controller, settings)
+    assert sum(row["cuts"] for row in run.steps()) > 0
+    assert len(controller.asked) == sum(1 + row["cuts"] for row in run.steps())
+    for row in run.table("points.csv"):
+        assert row["ux"] == pytest.approx(-1.8*row["t"], abs=1e-9)
