@@ -24,20 +24,10 @@ class Controller:
         "fluid_volume" and "contact" (the force with which obstacles press).
 
         The same t may come again, with a smaller dt: then the step did not
-        converge. What a controller remembers should depend on t, not on how often
-        it was asked; see Controller.moves_on().
+        converge. So what is said should depend on t and the segments, not on how
+        often there was a question.
         """
         raise NotImplementedError
-
-    def moves_on(self, t):
-        """Whether this is the first time that t is asked for: the step before has
-        ended well. A controller that integrates something keeps what it found for
-        the end of a step, and takes it over where this is true."""
-        first = t != self._t
-        self._t = t
-        return first
-
-    _t = None
 
     def serve(self, address):
         """Wait for a run at a Unix socket, whose file is made here and removed at

@@ -21,10 +21,11 @@ def controlled(muscles, address):
 
 
 @contextlib.contextmanager
-def serving(controller):
-    """The address at which a controller serves one run. Its path is short."""
+def serving(controller, name=None):
+    """The address at which a controller serves one run, in this file if it is
+    given. Else its path is short."""
     folder = pathlib.Path(tempfile.mkdtemp())
-    address = folder / "s"
+    address = name or folder / "s"
     thread = threading.Thread(target=controller.serve, args=(address,),
                               daemon=True)
     thread.start()

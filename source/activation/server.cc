@@ -23,6 +23,7 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override
     {
+      // No file that is read: a restart has nothing to compare.
       prm.add_parameter("Address",
                         address,
                         "[path] The Unix socket of the controller, a program that "
@@ -30,7 +31,7 @@ namespace lumbricus
                         "the end of the step: see doc/controllers.md. Muscles "
                         "with the same address are asked for together. A relative "
                         "path starts at the working directory.",
-                        dealii::Patterns::FileName());
+                        dealii::Patterns::Anything());
       prm.add_parameter("Late after",
                         late_after,
                         "[s] How long the controller may take for an answer "

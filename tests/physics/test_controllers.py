@@ -85,27 +85,26 @@ def test_a_controller_is_as_good_as_the_formula(tmp_path, formulas, ranks):
             assert told["contact"] == 0
 
 
-def test_a_restart_asks_for_what_comes_only(tmp_path):
-    def result(run, name, end, addresses_of=controlled):
+def test_a_restart_asks_for_what_comes_only(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+    def asked(start):
+        """The times that are asked for in a run, and the run."""
         controller = Formulas()
-        with serving(controller) as address:
-            found = run(name, [*addresses_of(MUSCLES, address),
-                               f"Time/End={end}"])
-        return found, [t for t, _, _ in controller.asked]
+        with serving(controller, pathlib.Path("s")) as address:
+            run = start(controlled(MUSCLES, address))
+        return [t for t, _, _ in controller.asked], run
 
-    def fresh(name, settings):
-        return run_well(CHAIN, tmp_path / name, [
-            *STEPS[:2], *TO_THE_END, "Checkpoints/Steps=2", *settings])
+    def until(end, name):
+        return asked(lambda settings: run_well(CHAIN, tmp_path / name, [
+            *settings, *STEPS[:2], *TO_THE_END, "Checkpoints/Steps=2",
+            f"Time/End={end}"]))
 
-    whole, asked = result(fresh, "whole", 0.21)
-    assert asked == steps(whole)[:-1]
-    result(fresh, "parts", 0.14)
-    # The address has changed, as that of a test does.
-    parts, asked = result(
-        lambda name, settings: go_on(tmp_path / name, settings), "parts", 0.21,
-        lambda muscles, address: [f"Muscles/{muscle}/server/Address={address}"
-                                  for muscle in muscles])
-    assert asked == steps(whole)[2:-1]
+    times, whole = until(0.21, "whole")
+    assert times == steps(whole)[:-1]
+    until(0.14, "parts")
+    times, parts = asked(lambda _: go_on(tmp_path / "parts", ["Time/End=0.21"]))
+    assert times == steps(whole)[2:-1]
     equal(parts.segments(), whole.segments(), 1e-12)
 
 
