@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Muscles that a running controller tells what to do: those that it tells what a
 formula says do what the formula does, on any number of ranks and after a restart."""
+import importlib.util
 import math
 import pathlib
+import re
 
 import pytest
 from controlled_run import Controller, controlled, serving
-from lumbricus_run import go_on, run_well
+from lumbricus_run import SOURCE, go_on, run_well
 from test_invariance import TO_THE_END, equal
 
 HERE = pathlib.Path(__file__).parent
@@ -146,3 +148,46 @@ def test_a_step_that_is_cut_is_asked_for_again(tmp_path):
     assert len(controller.asked) == sum(1 + row["cuts"] for row in run.steps())
     for row in run.table("points.csv"):
         assert row["ux"] == pytest.approx(-1.8*row["t"], abs=1e-9)
+
+
+def controllers_of(name):
+    """What the controller.py of a case of the gallery has."""
+    spec = importlib.util.spec_from_file_location(
+        name, SOURCE / "parameters" / name / "controller.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def gallery(name, folder, controller, settings=()):
+    case = SOURCE / "parameters" / name / "case.prm"
+    muscles = re.findall("^  subsection (.+)\n    set Fibres", case.read_text(),
+                         re.MULTILINE)
+    with serving(controller) as address:
+        return run_well(case, folder, [
+            *(f"Muscles/{muscle}/server/Address={address}" for muscle in muscles),
+            "Output/Every=0", *settings])
+
+
+def lengths(run, t):
+    return [row["length"] for row in run.segments() if abs(row["t"] - t) < 1e-9]
+
+
+def test_oscillators(tmp_path):
+    """The tables of its README."""
+    controller = controllers_of("oscillators").Oscillators(6)
+    run = gallery("oscillators", tmp_path, controller, ["Time/End=0.5"])
+    assert lengths(run, 0.5) == pytest.approx(
+        [2.128, 2.252, 2.266, 2.266, 2.252, 2.128], abs=1e-3)
+    phases = controller.at(4)
+    assert [math.degrees(a - b) for a, b in zip(phases, phases[1:])] == \
+        pytest.approx([58.3, 57.1, 56.7, 57.1, 58.3], abs=0.1)
+
+
+def test_reflex(tmp_path):
+    pulled, held = (gallery("reflex", tmp_path / str(gain),
+                            controllers_of("reflex").Reflex(2.1, gain))
+                    for gain in (0, 0.6))
+    assert sum(lengths(pulled, 2)) == pytest.approx(14.364, abs=1e-3)
+    assert sum(lengths(held, 2)) == pytest.approx(13.874, abs=1e-3)
+    assert lengths(held, 2) == pytest.approx(lengths(held, 1.9), abs=1e-4)
