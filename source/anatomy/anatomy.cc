@@ -213,6 +213,9 @@ namespace lumbricus
         const Region region = Region::of(cell->material_id());
         for (const Muscle *muscle : muscles_of(region.tissue))
           {
+            // Nobody knows them before.
+            if (muscle->action().activation()->held_values() != nullptr)
+              continue;
             auto &points = centers[{region.segment + 1, muscle}];
             if (points.empty())
               in_order.push_back({region.segment + 1, muscle});

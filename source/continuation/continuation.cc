@@ -1,9 +1,31 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/continuation/continuation.h>
+#include <lumbricus/activation/held_values.h>
+#include <lumbricus/core/exceptions.h>
 #include <lumbricus/program/chain_model.h>
 
 namespace lumbricus
 {
+  void
+  Continuation::open(const ChainModel &model)
+  {
+    const Anatomy &anatomy = model.parameters.anatomy;
+    for (unsigned int m = 0; m < anatomy.n_muscles(); ++m)
+      {
+        const auto held =
+          anatomy.muscle(m).action().activation()->held_values();
+        AssertThrow(held == nullptr,
+                    ExcInput(about_parameter(
+                      "Path/Control",
+                      "is '" + model.parameters.continuation.chosen_name() +
+                        "', which asks no controller, but the muscle '" +
+                        anatomy.muscle(m).name() +
+                        "' has one. Set it to 'time'.")));
+      }
+  }
+
+
+
   bool
   Continuation::finished(const ChainModel &model, const State &state) const
   {

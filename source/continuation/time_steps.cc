@@ -18,6 +18,15 @@ namespace lumbricus
   TimeSteps::initialize(const RunParameters &parameters)
   {
     size = parameters.load_stepping.first_step();
+    controllers.initialize(parameters.anatomy);
+  }
+
+
+
+  void
+  TimeSteps::open(const ChainModel &model)
+  {
+    controllers.connect(model.triangulation.get_communicator());
   }
 
 
@@ -33,21 +42,22 @@ namespace lumbricus
     const LoadCurves   &curves   = model.parameters.load_curves;
     StepRecord          step;
     step.number = number;
-    size        = std::min(size, stepping.largest_step());
+    size        = std::min({size,
+                            stepping.largest_step(),
+                            controllers.largest_step()});
 
     const auto relaxation = model.relax_liquid_mesh(state);
     if (!relaxation.in_segment.empty())
       step.relaxed = relaxation.in_segment;
     // Right before a jump.
     std::optional<double> stop;
+    // The same step once more.
+    std::optional<LoadCurves::Division> again;
     while (true)
       {
-        const double planned  = stepping.next_time(state.time, size);
-        auto         division = curves.divide(state.time, planned);
-        if (stop)
-          division.to = std::min(division.to, *stop);
-        else if (division.curve != nullptr)
-          say_divided(division, planned, log);
+        const auto division =
+          again ? *again : plan_step(model, state, stop, log);
+        again.reset();
         // Beyond a corner or a jump nothing goes on as it did.
         const bool goes_on = division.curve == nullptr && !stop;
         try
@@ -63,6 +73,7 @@ namespace lumbricus
             if (!state.past.empty())
               {
                 state.past.clear();
+                again = division;
                 continue;
               }
             const std::string why = plain_message(exception);
@@ -76,6 +87,7 @@ namespace lumbricus
             if (jump->before.value_or(state.time) <=
                 state.time + 0.5 * curves.shortest())
               {
+                controllers.ask(model, state, jump->after);
                 take_jump(model, *jump, state, step, watch, log);
                 return step;
               }
@@ -87,10 +99,34 @@ namespace lumbricus
 
 
 
+  LoadCurves::Division
+  TimeSteps::plan_step(ChainModel                  &model,
+                       const State                 &state,
+                       const std::optional<double> &stop,
+                       Log                         &log)
+  {
+    const double planned =
+      model.parameters.load_stepping.next_time(state.time, size);
+    auto division = model.parameters.load_curves.divide(state.time, planned);
+    if (stop)
+      division.to = std::min(division.to, *stop);
+    else if (division.curve != nullptr)
+      say_divided(division, planned, log);
+    const double end = controllers.ask(model, state, division.to);
+    // Before the corner.
+    if (end < division.to)
+      division = {end, nullptr};
+    return division;
+  }
+
+
+
   Continuation::Numbers
   TimeSteps::numbers() const
   {
-    return {{"step_size", size}};
+    Numbers numbers      = controllers.numbers();
+    numbers["step_size"] = size;
+    return numbers;
   }
 
 
@@ -98,8 +134,12 @@ namespace lumbricus
   bool
   TimeSteps::set_numbers(const Numbers &numbers)
   {
-    if (numbers.size() != 1 || numbers.count("step_size") == 0 ||
-        !(numbers.at("step_size") > 0.))
+    if (numbers.count("step_size") == 0 || !(numbers.at("step_size") > 0.))
+      return false;
+    for (const auto &number : numbers)
+      if (number.first != "step_size" && !Controllers::is_name(number.first))
+        return false;
+    if (!controllers.set_numbers(numbers))
       return false;
     size = numbers.at("step_size");
     return true;

@@ -5,8 +5,11 @@
 #include <lumbricus/continuation/continuation.h>
 #include <lumbricus/continuation/load_curves.h>
 
+#include <optional>
 #include <set>
 #include <string>
+
+#include "controllers.h"
 
 namespace lumbricus
 {
@@ -22,6 +25,10 @@ namespace lumbricus
     void
     initialize(const RunParameters &parameters) override;
 
+    /** Connect to the controllers. */
+    void
+    open(const ChainModel &model) override;
+
     StepRecord
     advance(ChainModel        &model,
             State             &state,
@@ -29,7 +36,8 @@ namespace lumbricus
             RunWatch          &watch,
             Log               &log) override;
 
-    /** "step_size": of the load step wanted next [time]. */
+    /** "step_size": of the load step wanted next [time]; and those of
+     * Controllers. */
     Numbers
     numbers() const override;
 
@@ -37,6 +45,14 @@ namespace lumbricus
     set_numbers(const Numbers &numbers) override;
 
   private:
+    /** Where the next try of a step from @p state is to end: before time @p stop,
+     * where there is one. Asks the controllers, see Controllers::ask(). */
+    LoadCurves::Division
+    plan_step(ChainModel                  &model,
+              const State                 &state,
+              const std::optional<double> &stop,
+              Log                         &log);
+
     /** Try the load step of @p step from @p state to time @p to. Throws
      * ExcNotConverged. */
     void
@@ -74,6 +90,8 @@ namespace lumbricus
 
     /** The size of the step wanted next. */
     double size = 0.;
+
+    Controllers controllers;
 
     /** Whose changes divide steps, of what that was said. */
     std::set<std::string> said_to_divide;

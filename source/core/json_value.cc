@@ -108,20 +108,30 @@ namespace lumbricus
   void
   JsonValue::write(std::ostream &out) const
   {
-    write(out, 0);
+    write(out, 0, false);
   }
 
 
 
   void
-  JsonValue::write(std::ostream &out, const unsigned int depth) const
+  JsonValue::write_line(std::ostream &out) const
+  {
+    write(out, 0, true);
+  }
+
+
+
+  void
+  JsonValue::write(std::ostream      &out,
+                   const unsigned int depth,
+                   const bool         always_one_line) const
   {
     if (kind == Kind::scalar)
       {
         out << scalar;
         return;
       }
-    const bool        one_line = is_one_line();
+    const bool        one_line = always_one_line || is_one_line();
     const std::string gap =
       one_line ? "" : "\n" + std::string(2 * (depth + 1), ' ');
     out << (kind == Kind::object ? '{' : '[');
@@ -130,7 +140,7 @@ namespace lumbricus
         out << (i == 0 ? "" : one_line ? ", " : ",") << gap;
         if (kind == Kind::object)
           out << quoted(members[i].first) << ": ";
-        members[i].second.write(out, depth + 1);
+        members[i].second.write(out, depth + 1, always_one_line);
       }
     if (!one_line)
       out << "\n" << std::string(2 * depth, ' ');

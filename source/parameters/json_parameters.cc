@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/input_limits.h>
+#include <lumbricus/core/json_nesting.h>
 #include <lumbricus/core/user_text.h>
 #include <lumbricus/parameters/json_parameters.h>
 #include <lumbricus/parameters/prm_scanner.h>
@@ -28,33 +29,19 @@ namespace lumbricus
 
 
 
-    // Boost's parser calls itself for every object and list in another.
     void
     check_depth(const std::string &file_name, const std::string &json)
     {
-      std::size_t depth   = 0;
-      bool        in_text = false;
-      for (std::size_t i = 0; i < json.size(); ++i)
-        {
-          const char c = json[i];
-          if (in_text && c == '\\')
-            ++i;
-          else if (c == '"')
-            in_text = !in_text;
-          else if (!in_text && (c == '{' || c == '['))
-            ++depth;
-          else if (!in_text && (c == '}' || c == ']') && depth > 0)
-            --depth;
-          AssertThrow(depth <= InputLimits::sections,
-                      ExcInput(file_name + ", line " +
-                               std::to_string(1 + std::count(json.begin(),
-                                                             json.begin() + i,
-                                                             '\n')) +
-                               ": more than " +
-                               std::to_string(InputLimits::sections) +
-                               " objects and lists are in each other. Close "
-                               "those that are complete."));
-        }
+      const std::size_t i = where_nested_deeper(json, InputLimits::sections);
+      AssertThrow(i == json.size(),
+                  ExcInput(file_name + ", line " +
+                           std::to_string(1 + std::count(json.begin(),
+                                                         json.begin() + i,
+                                                         '\n')) +
+                           ": more than " +
+                           std::to_string(InputLimits::sections) +
+                           " objects and lists are in each other. Close "
+                           "those that are complete."));
     }
 
 

@@ -83,6 +83,7 @@ namespace lumbricus
                                         parameters.boundary_conditions,
                                         parameters.output_parts,
                                         parameters.output_every);
+    parameters.continuation.get()->open(model);
   }
 
 

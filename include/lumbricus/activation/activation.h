@@ -8,11 +8,14 @@
 #include <deal.II/base/point.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace lumbricus
 {
+  class HeldValues;
+
   /**
    * How active a muscle is over time, as its MuscleAction takes it: an active
    * stretch lambda, 1 at rest and less in a contraction, or something else.
@@ -65,6 +68,15 @@ namespace lumbricus
     check_given(
       const std::function<std::string(double)> & /*requirement*/) const
     {}
+
+    /** What a Continuation sets before every load step, where values come from
+     * outside while the run goes on and are not known before; else null. After
+     * initialize(). */
+    virtual std::shared_ptr<HeldValues>
+    held_values() const
+    {
+      return nullptr;
+    }
 
   protected:
     /** The value of a muscle that contracts by @p part: 0 is rest, 1 as much as

@@ -51,8 +51,8 @@ namespace lumbricus
       const dealii::parallel::TriangulationBase<dim> &triangulation,
       const std::vector<double>                      &times) const;
 
-    /** The activation of every muscle in every segment it is in, over time;
-     * the same on all ranks. */
+    /** The activation of every muscle without HeldValues in every segment it is
+     * in, over time; the same on all ranks. */
     std::vector<LoadCurve>
     load_curves(
       const dealii::parallel::TriangulationBase<dim> &triangulation) const;

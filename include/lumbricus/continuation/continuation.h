@@ -48,6 +48,14 @@ namespace lumbricus
     {}
 
     /**
+     * Before the first step, and before any file is changed, but not where a
+     * case is only checked: find what steps will need. Throws ExcInput, unless
+     * overridden where a muscle has HeldValues, which would never change.
+     */
+    virtual void
+    open(const ChainModel &model);
+
+    /**
      * Take step @p number from @p state, by ChainModel::solve() or a solve like
      * it, and write State::past of the new state. What is tried is told to
      * @p watch first (RunWatch::begin_step()), what the user is to know is

@@ -74,6 +74,10 @@ namespace lumbricus
     void
     write(std::ostream &out) const;
 
+    /** Write it for programs, all of it on one line. No line end follows. */
+    void
+    write_line(std::ostream &out) const;
+
   private:
     enum class Kind
     {
@@ -86,7 +90,9 @@ namespace lumbricus
     digits_of(const double value);
 
     void
-    write(std::ostream &out, const unsigned int depth) const;
+    write(std::ostream      &out,
+          const unsigned int depth,
+          const bool         always_one_line) const;
 
     /** Whether nothing in it is an object, or an array of more than scalars. */
     bool
