@@ -74,6 +74,15 @@ def test_numbers_that_cannot_be(tmp_path):
     assert (tmp_path / "log.txt").read_bytes() == log
 
 
+def test_a_control_that_asks_no_controller(tmp_path):
+    """Its muscles would stay at rest."""
+    result = run(BLOCK, tmp_path, [*HALVES, "Muscles/biceps/Active stretch=server",
+                                   "Muscles/biceps/server/Address=s"])
+    assert result.exit_code == 1
+    assert "'Path/Control' is 'in halves', which asks no controller, but the " \
+        "muscle 'biceps' has one" in result.said()
+
+
 def test_a_control_that_is_not_there(tmp_path):
     result = run(BLOCK, tmp_path, ["Path/Control=in halves"])
     assert result.exit_code == 1

@@ -9,6 +9,7 @@ import re
 import pytest
 from controlled_run import Controller, controlled, serving
 from lumbricus_run import SOURCE, go_on, run_well
+from test_energy import energy
 from test_invariance import TO_THE_END, equal
 
 HERE = pathlib.Path(__file__).parent
@@ -100,7 +101,7 @@ def test_a_restart_asks_for_what_comes_only(tmp_path, monkeypatch):
     def until(end, name):
         return asked(lambda settings: run_well(CHAIN, tmp_path / name, [
             *settings, *STEPS[:2], *TO_THE_END, "Checkpoints/Steps=2",
-            f"Time/End={end}"]))
+            "Output/Energy=true", f"Time/End={end}"]))
 
     times, whole = until(0.21, "whole")
     assert times == steps(whole)[:-1]
@@ -108,6 +109,19 @@ def test_a_restart_asks_for_what_comes_only(tmp_path, monkeypatch):
     times, parts = asked(lambda _: go_on(tmp_path / "parts", ["Time/End=0.21"]))
     assert times == steps(whole)[2:-1]
     equal(parts.segments(), whole.segments(), 1e-12)
+    # The work of muscles in a step needs what they did before it.
+    works = [energy(folder.folder, since=0.14) for folder in (parts, whole)]
+    assert abs(works[0]["muscle", "longitudinal"]) > 1e-6
+    assert works[0] == pytest.approx(works[1], rel=1e-10, abs=1e-14)
+
+
+def test_a_restart_goes_on_with_steps_as_long_as_wanted(tmp_path):
+    bar(tmp_path, Bar(0.02), ["Time/End=0.1"])
+    controller = Bar(0.02)
+    with serving(controller) as address:
+        go_on(tmp_path, ["Time/End=0.2",
+                         f"Muscles/fibres/server/Address={address}"])
+    assert [dt for _, dt in controller.asked] == pytest.approx([0.02]*5)
 
 
 def bar(folder, controller, settings=()):
