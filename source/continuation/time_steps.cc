@@ -51,13 +51,13 @@ namespace lumbricus
       step.relaxed = relaxation.in_segment;
     // Right before a jump.
     std::optional<double> stop;
-    // The same step once more.
-    std::optional<LoadCurves::Division> again;
+    LoadCurves::Division  division{state.time, nullptr};
+    bool                  again = false; // the same step once more
     while (true)
       {
-        const auto division =
-          again ? *again : plan_step(model, state, stop, log);
-        again.reset();
+        if (!again)
+          division = plan_step(model, state, stop, log);
+        again = false;
         // Beyond a corner or a jump nothing goes on as it did.
         const bool goes_on = division.curve == nullptr && !stop;
         try
@@ -73,7 +73,7 @@ namespace lumbricus
             if (!state.past.empty())
               {
                 state.past.clear();
-                again = division;
+                again = true;
                 continue;
               }
             const std::string why = plain_message(exception);

@@ -524,7 +524,7 @@ end
     ("muscle without active stretch", BLOCK,
      another_muscle("set Fibres = radial"),
      ["'Muscles/triceps/Active stretch' is not set", "no active stretch",
-      "Set it to one of 'expression', 'table', 'wave'."]),
+      "Set it to one of 'expression', 'server', 'table', 'wave'."]),
     ("muscle that is listed, but has no section", BLOCK,
      ["Tissues/flesh/Muscles=biceps, triceps"],
      ["'Muscles/triceps/Fibres' is not set", "Set it to one of"]),
