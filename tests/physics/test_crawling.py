@@ -2,16 +2,15 @@
 """Cases of the gallery on the ground, shorter, on coarser meshes and in fewer
 steps: which way the worm goes, and what it holds on with."""
 import csv
-
 import os
-
-import pytest
-from lumbricus_run import SOURCE, run_well
-from test_contact_output import contacts
 
 # Runs as users have them: with the kernels that OpenBLAS takes where this is empty,
 # as in scripts/test.sh, one step is cut.
 os.environ.pop("OPENBLAS_CORETYPE", None)
+
+import pytest  # noqa: E402
+from lumbricus_run import SOURCE, run_well
+from test_contact_output import contacts
 
 CHAIN = "Geometry/segment chain/"
 GROUND = "Boundary conditions/ground/contact/"
