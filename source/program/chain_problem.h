@@ -7,7 +7,6 @@
 #include <lumbricus/output/results.h>
 #include <lumbricus/output/run_description.h>
 #include <lumbricus/program/chain_model.h>
-#include <lumbricus/program/locking_watch.h>
 #include <lumbricus/program/run_watch.h>
 
 #include <deal.II/base/timer.h>
@@ -15,6 +14,8 @@
 #include <functional>
 #include <memory>
 #include <string>
+
+#include "locking_watch.h"
 
 namespace lumbricus
 {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "locking_watch.h"
+
 #include <lumbricus/measures/locking.h>
 #include <lumbricus/parameters/expression.h>
-#include <lumbricus/program/locking_watch.h>
 
 #include <iomanip>
 #include <sstream>

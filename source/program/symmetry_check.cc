@@ -377,10 +377,11 @@ namespace lumbricus
     prm.add_parameter("Check symmetry",
                       required,
                       "Whether to refuse muscles, elastic fibres, tractions and "
-                      "body forces that do not go on smoothly in the mirror image of the body at a plane "
-                      "of symmetry, such as helical fibres at a quarter of a "
-                      "cross-section. 'false' where that mirror image is "
-                      "meant: the fibres of a bipennate muscle.");
+                      "body forces that do not go on smoothly in the mirror "
+                      "image of the body at a plane of symmetry, such as "
+                      "helical fibres at a quarter of a cross-section. 'false' "
+                      "where that mirror image is meant: the fibres of a "
+                      "bipennate muscle.");
     prm.leave_subsection();
   }
 
