@@ -145,11 +145,11 @@ namespace lumbricus
     if (x >= table.value(last, 0))
       return {table.value(last, 1), 0.};
     const unsigned int  i = table.row_after(x) - 1;
-    const ValueAndSlope f = cubic_on(line(i),
-                                     table.value(i, 1),
-                                     slopes[i],
-                                     slopes[i + 1],
-                                     x - table.value(i, 0));
+    const CurvePoint    f = cubic_on(line(i),
+                                  table.value(i, 1),
+                                  slopes[i],
+                                  slopes[i + 1],
+                                  x - table.value(i, 0));
     return {f.value, f.slope / best};
   }
 

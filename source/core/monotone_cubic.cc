@@ -14,7 +14,7 @@ namespace lumbricus
 
 
 
-  ValueAndSlope
+  CurvePoint
   cubic_on(const TableLine &line,
            const double     value,
            const double     m,

@@ -10,11 +10,12 @@ namespace lumbricus
              const dealii::DoFHandler<dim>::active_cell_iterator &cell,
              const unsigned int                                   f)
   {
+    if (!cell->face(f)->at_boundary())
+      return false;
     const auto planes = body.anatomy.geometry().symmetry_planes();
-    return cell->face(f)->at_boundary() &&
-           std::none_of(planes.begin(), planes.end(), [&](const auto &plane) {
-             return plane.boundary == cell->face(f)->boundary_id();
-           });
+    return std::none_of(planes.begin(), planes.end(), [&](const auto &plane) {
+      return plane.boundary == cell->face(f)->boundary_id();
+    });
   }
 
 

@@ -139,22 +139,14 @@ namespace lumbricus
                     const CellUnknowns &unknowns,
                     State              &state) const
   {
-    if (relax_below == 0. || !body.anatomy.has_liquid())
-      return {};
-    const Vector before  = body.space.with_ghosts(state.solution);
-    const auto   quality = mesh_qualities(body, &before);
-    const auto   at_rest = mesh_qualities(body, nullptr);
-
-    Relaxation          relaxation;
-    std::vector<double> least;
-    for (unsigned int s = 0; s < quality.size(); ++s)
-      {
-        relaxation.in_segment.push_back(quality[s].liquid <
-                                        relax_below * at_rest[s].liquid);
-        least.push_back(std::max(0., quality[s].liquid) + least_gain);
-      }
-    Vector change = state.solution;
-    relax_segments(body, unknowns, least, relaxation, state);
+    Vector     change     = state.solution;
+    const auto relaxation = relax_where(
+      body, unknowns, state, [&](const double quality, const double at_rest) {
+        return Wanted{quality < relax_below * at_rest,
+                      std::max(0., quality) + least_gain};
+      });
+    if (relaxation.in_segment.empty())
+      return relaxation;
     // What is extrapolated begins at the nodes where they are now.
     change.sadd(-1., 1., state.solution);
     for (State::Past &earlier : state.past)
@@ -169,34 +161,40 @@ namespace lumbricus
                      const CellUnknowns &unknowns,
                      State              &state) const
   {
-    if (relax_below == 0. || !body.anatomy.has_liquid())
-      return {};
     // What decides does not hang on where the nodes happen to be, as long as the
     // mesh that it makes is good.
-    const Vector        before  = body.space.with_ghosts(state.solution);
-    const auto          quality = mesh_qualities(body, &before);
-    const auto          at_rest = mesh_qualities(body, nullptr);
-    Relaxation          relaxation;
-    std::vector<double> least;
-    for (unsigned int s = 0; s < quality.size(); ++s)
-      {
-        relaxation.in_segment.push_back(quality[s].liquid < 1.);
-        least.push_back(std::min(good * at_rest[s].liquid,
-                                 std::max(0., quality[s].liquid) + least_gain));
-      }
-    relax_segments(body, unknowns, least, relaxation, state);
-    return relaxation;
+    return relax_where(
+      body, unknowns, state, [](const double quality, const double at_rest) {
+        return Wanted{quality < 1.,
+                      std::min(good * at_rest,
+                               std::max(0., quality) + least_gain)};
+      });
   }
 
 
 
-  void
-  LiquidMesh::relax_segments(const Body                &body,
-                             const CellUnknowns        &unknowns,
-                             const std::vector<double> &least_quality,
-                             Relaxation                &relaxation,
-                             State                     &state) const
+  template <typename Wish>
+  LiquidMesh::Relaxation
+  LiquidMesh::relax_where(const Body         &body,
+                          const CellUnknowns &unknowns,
+                          State              &state,
+                          const Wish         &wish) const
   {
+    Relaxation relaxation;
+    if (!relaxes() || !body.anatomy.has_liquid())
+      return relaxation;
+    const MixedSpace   &space   = body.space;
+    const Vector        before  = space.with_ghosts(state.solution);
+    const auto          quality = mesh_qualities(body, &before);
+    const auto          at_rest = mesh_qualities(body, nullptr);
+    std::vector<double> least_quality;
+    for (unsigned int s = 0; s < quality.size(); ++s)
+      {
+        const Wanted wanted = wish(quality[s].liquid, at_rest[s].liquid);
+        relaxation.in_segment.push_back(wanted.relaxes);
+        least_quality.push_back(wanted.least_quality);
+      }
+
     std::vector<bool> &in_segment = relaxation.in_segment;
     const auto         none       = [&]() {
       if (std::find(in_segment.begin(), in_segment.end(), true) !=
@@ -206,10 +204,8 @@ namespace lumbricus
       return true;
     };
     if (none())
-      return;
-    const MixedSpace &space  = body.space;
-    const Vector      before = space.with_ghosts(state.solution);
-    const Vector      correction =
+      return relaxation;
+    const Vector correction =
       harmonic_correction(body, unknowns, before, in_segment);
     CellStateReader reader(space, state);
     const auto      pressures  = mean_pressures(body, in_segment, reader);
@@ -225,11 +221,12 @@ namespace lumbricus
       if (in_segment[s] && better[s].liquid < least_quality[s])
         in_segment[s] = all = false;
     if (none())
-      return;
+      return relaxation;
     if (!all)
       relaxed = relax_them();
 
     set_rest_volumes(rest_volumes(body, state), body, relaxed);
     state = relaxed;
+    return relaxation;
   }
 } // namespace lumbricus

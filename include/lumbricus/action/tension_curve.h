@@ -2,19 +2,11 @@
 #ifndef lumbricus_action_tension_curve_h
 #define lumbricus_action_tension_curve_h
 
+#include <lumbricus/core/curve_point.h>
 #include <lumbricus/geometry/part_of_body.h>
 
 namespace lumbricus
 {
-  /** A value of a curve and its slope there. */
-  struct CurvePoint
-  {
-    double value; ///< f(x)
-    double slope; ///< df/dx
-  };
-
-
-
   /** Which part of its tension a fibre has at its length, with nothing else to
    * hold it back. */
   class ForceLength : public PartOfBody

@@ -2,6 +2,8 @@
 #ifndef lumbricus_core_monotone_cubic_h
 #define lumbricus_core_monotone_cubic_h
 
+#include <lumbricus/core/curve_point.h>
+
 namespace lumbricus
 {
   /** What is between two rows of a table: as far as @p h apart, and a straight
@@ -10,13 +12,6 @@ namespace lumbricus
   {
     double h;     ///< of the first column
     double slope; ///< per unit of the first column
-  };
-
-  /** A value and its derivative. */
-  struct ValueAndSlope
-  {
-    double value; ///< of the curve
-    double slope; ///< its derivative
   };
 
   /**
@@ -35,7 +30,7 @@ namespace lumbricus
    * The cubic that begins at @p value with the slope @p m and ends on @p line
    * with the slope @p n, at the distance @p s from where it begins.
    */
-  ValueAndSlope
+  CurvePoint
   cubic_on(const TableLine &line,
            const double     value,
            const double     m,

@@ -56,14 +56,22 @@ namespace lumbricus
     settle(const Body &body, const CellUnknowns &unknowns, State &state) const;
 
   private:
-    /** Relax the mesh of the segments of @p relaxation but for those whose
-     * quality would be less than @p least_quality; these are taken out of it. */
-    void
-    relax_segments(const Body                &body,
-                   const CellUnknowns        &unknowns,
-                   const std::vector<double> &least_quality,
-                   Relaxation                &relaxation,
-                   State                     &state) const;
+    /** Whether the mesh of a segment is to be relaxed, unless its quality would
+     * be less than that then. */
+    struct Wanted
+    {
+      bool   relaxes;
+      double least_quality;
+    };
+
+    /** Relax the mesh of the segments in which @p wish, a Wanted of the quality and
+     * of that at rest, asks for it. Nothing where meshes are never relaxed. */
+    template <typename Wish>
+    Relaxation
+    relax_where(const Body         &body,
+                const CellUnknowns &unknowns,
+                State              &state,
+                const Wish         &wish) const;
 
     double relax_below = 1.;
   };
