@@ -106,7 +106,8 @@ namespace lumbricus
 
   double
   Newton::linear_tolerance(const NonlinearProblem::Residual &residual,
-                           const double                      last_merit) const
+                           const double                      last_merit,
+                           const double                      most) const
   {
     // No linear system is solved more accurately than the linearisation
     // deserves (Eisenstat and Walker 1996, choice 2), nor much more accurately
@@ -114,7 +115,7 @@ namespace lumbricus
     // not make a small error. So one that may be the last is solved accurately;
     // if it was not the last, the next begins nearer. Where the residual is small
     // already it does not tell, as where only displacements are prescribed.
-    constexpr double most = 3e-3, order = 1.6, better = 1e-4, perhaps = 8.;
+    constexpr double order = 1.6, better = 1e-4, perhaps = 8.;
     const auto       part_for = [](const double least, const double value) {
       return value > least ? least / value : 1.;
     };
@@ -191,7 +192,10 @@ namespace lumbricus
     while (history.size() < most_iterations)
       {
         problem.linearise(current);
-        problem.solve(dx, linear_tolerance(residual, last_merit));
+        problem.solve(dx,
+                      linear_tolerance(residual,
+                                       last_merit,
+                                       problem.largest_linear_tolerance()));
         last_merit = residual.merit();
 
         // Prescribed displacements are taken whole; what follows the loads

@@ -104,6 +104,9 @@ namespace lumbricus
     solve(Unknowns &dx, const double tolerance) override;
 
     double
+    largest_linear_tolerance() const override;
+
+    double
     increment_size(const Vector &dx) const override;
 
     double

@@ -61,6 +61,14 @@ namespace lumbricus
     virtual void
     solve(Unknowns &dx, const double tolerance) = 0;
 
+    /** No linear system is solved less accurately than to this part of its
+     * residual. */
+    virtual double
+    largest_linear_tolerance() const
+    {
+      return 3e-3;
+    }
+
     /** The size of an increment of u relative to the size of the body. */
     virtual double
     increment_size(const Vector &dx) const = 0;
@@ -139,10 +147,12 @@ namespace lumbricus
     least_border(const NonlinearProblem::Residual &residual) const;
 
     /** How accurately to solve the linear system at a residual, when it was
-     * @p last_merit one iteration earlier (0: there was none). */
+     * @p last_merit one iteration earlier (0: there was none); at least to
+     * @p most. */
     double
     linear_tolerance(const NonlinearProblem::Residual &residual,
-                     const double                      last_merit) const;
+                     const double                      last_merit,
+                     const double                      most) const;
 
     double       force_tolerance     = 1e-9;
     double       volume_tolerance    = 1e-11;
