@@ -4,7 +4,8 @@ files of its own for what the tests start.
 
 Open MPI keeps its session in a folder that all runs of a user share. Where one
 run ends, and removes it, while another starts, that one does not find what it
-has just made: two of 2,800 starts failed so. The path is short, as sockets want
+has just made: two of 2,800 starts failed so; runs side by side have each its own,
+by lumbricus_run.start(). The path is short, as sockets want
 it: they lie in that folder."""
 import atexit
 import os

@@ -10,6 +10,7 @@ import os
 import pathlib
 import re
 import subprocess
+import tempfile
 
 from loaded_program import loaded_program
 
@@ -67,6 +68,20 @@ class Run:
                                            self.log).group(1))}
 
 
+def start(command, **keywords):
+    """subprocess.run(), with a folder for temporary files that no other run shares:
+    tests start some side by side, and conftest.py says what Open MPI then does."""
+    with tempfile.TemporaryDirectory(prefix="t", dir="/tmp") as temporary:
+        return subprocess.run([str(word) for word in command], text=True,
+                              stdin=subprocess.DEVNULL, capture_output=True,
+                              env=dict(os.environ, TMPDIR=temporary), **keywords)
+
+
+def call(*arguments, folder=None):
+    """The program on one rank, in a folder, with any arguments."""
+    return start([loaded_program(), *arguments], timeout=120, cwd=folder)
+
+
 def run(parameter_file, folder, settings=(), ranks=1, options=(),
         timeout=900):
     """Run FILE.prm with "Section/Name=value" settings on some ranks; on one
@@ -77,9 +92,7 @@ def run(parameter_file, folder, settings=(), ranks=1, options=(),
                "--output", str(folder), *options]
     for setting in settings:
         command += ["--set", setting]
-    process = subprocess.run(command, capture_output=True, text=True,
-                             timeout=timeout)
-    return Run(process, folder)
+    return Run(start(command, timeout=timeout), folder)
 
 
 def run_well(*arguments, **keywords):
@@ -96,8 +109,7 @@ def restart(folder, settings=(), ranks=1, timeout=900):
                "--restart", str(folder)]
     for setting in settings:
         command += ["--set", setting]
-    return Run(subprocess.run(command, capture_output=True, text=True,
-                              timeout=timeout), folder)
+    return Run(start(command, timeout=timeout), folder)
 
 
 def go_on(folder, settings=(), ranks=1, timeout=900):

@@ -5,12 +5,9 @@ and what the message on it has to be like.
 A mistake is a tuple that begins with its name and ends with the words that the
 message has to contain."""
 import concurrent.futures
-import os
-import subprocess
-import tempfile
 
 from loaded_program import loaded_program
-from lumbricus_run import Run, run
+from lumbricus_run import run
 
 # What no user should have to read.
 JARGON = ("An error occurred", "Stacktrace", "exception", "Exception",
@@ -31,35 +28,10 @@ def names(cases):
     return [f"{mistake[0]}, {ranks} rank" for mistake, ranks in cases]
 
 
-class ManyRuns:
-    """Runs on one rank with a folder for temporary files of their own, since two
-    of these run side by side: see ../conftest.py."""
-
-    def __init__(self):
-        self.temporary = tempfile.TemporaryDirectory(prefix="t", dir="/tmp")
-
-    def call(self, *arguments, folder=None):
-        """As subprocess.run() does."""
-        return subprocess.run(
-            [loaded_program(), *map(str, arguments)], stdin=subprocess.DEVNULL,
-            capture_output=True, text=True, timeout=120, cwd=folder,
-            env=dict(os.environ, TMPDIR=self.temporary.name))
-
-    def run(self, parameter_file, folder, settings=(), ranks=1, options=()):
-        """As lumbricus_run.run() does."""
-        if ranks > 1:
-            return run(parameter_file, folder, settings, ranks, options)
-        arguments = [parameter_file, "--output", folder, *options]
-        for setting in settings:
-            arguments += ["--set", setting]
-        return Run(self.call(*arguments), folder)
-
-
 def run_all(start, cases, base):
     """start(mistake, ranks, folder, run) for all cases, two at a time."""
     def some(first):
-        runs = ManyRuns()
-        return [start(*cases[i], base / str(i), runs.run)
+        return [start(*cases[i], base / str(i), run)
                 for i in range(first, len(cases), 2)]
 
     loaded_program() # Once, and not by both.

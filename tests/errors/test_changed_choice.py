@@ -7,9 +7,8 @@ method."""
 import pathlib
 
 import pytest
-from lumbricus_run import outline, run_well
+from lumbricus_run import call, outline, run, run_well
 from lumbricus_run import resolved as resolved_in
-from mistakes import ManyRuns
 
 HERE = pathlib.Path(__file__).resolve().parent
 BLOCK = HERE / "block.prm"
@@ -31,8 +30,6 @@ PULL = [*SHORT[:2], "Muscles/biceps/Action=active stress",
         "Muscles/biceps/active stress/Force-length=Blemker",
         "Muscles/biceps/active stress/Force-velocity=Hill"]
 UNUSED = "Not used, because of --set: "
-
-runs = ManyRuns()
 
 
 @pytest.fixture(scope="module")
@@ -56,7 +53,7 @@ def choices():
     documentation the names of the sections beside it."""
     sections, words, choice = [], "", None
     parameters, names = {}, {}
-    for line in map(str.strip, runs.call("--parameters").stdout.splitlines()):
+    for line in map(str.strip, call("--parameters").stdout.splitlines()):
         if line.startswith("#"):
             words += " " + line[1:].strip()
             continue
@@ -139,7 +136,7 @@ def test_any_choice_changes_over_a_resolved_file(parameter, name, resolved,
     an input that gives the same run."""
     setting = f"{in_block(parameter)}={name}"
     resolved = resolved[body_of(parameter)]
-    result = runs.run(resolved, tmp_path / "out", [setting])
+    result = run(resolved, tmp_path / "out", [setting])
     if result.exit_code == 1:
         assert "not used" not in result.message, result.message
         assert "unknown" not in result.message, result.message
@@ -153,7 +150,7 @@ def test_any_choice_changes_over_a_resolved_file(parameter, name, resolved,
     assert after[in_block(parameter)] == name
     assert (UNUSED in log) == (before[in_block(parameter)] != name)
 
-    again = runs.run(tmp_path / "out/parameters.prm", tmp_path / "again")
+    again = run(tmp_path / "out/parameters.prm", tmp_path / "again")
     assert again.exit_code == result.exit_code, again.message
     assert UNUSED not in (tmp_path / "again" / "log.txt").read_text()
     assert (tmp_path / "again/segments.csv").read_bytes() == \
@@ -168,7 +165,7 @@ def test_a_restart_may_change_a_choice(tmp_path):
                              "Checkpoints/Steps=1",
                              "Linear solver/Method=kept factor"])
     whole = (folder / "segments.csv").read_text()
-    result = runs.call("--restart", folder, "--set", "Time/End=1", "--set",
+    result = call("--restart", folder, "--set", "Time/End=1", "--set",
                        "Linear solver/Method=direct")
     assert result.returncode == 0, result.stderr
     assert f"{UNUSED}'Linear solver/kept factor'" in result.stdout
@@ -179,7 +176,7 @@ def test_a_restart_may_change_a_choice(tmp_path):
     table = (folder / "segments.csv").read_text()
     assert table.startswith(whole) and len(table) > len(whole)
 
-    result = runs.call("--restart", folder, "--set", "Geometry/Shape=block")
+    result = call("--restart", folder, "--set", "Geometry/Shape=block")
     assert result.returncode == 1
     assert "cannot change at a restart" in result.stderr
 
@@ -191,7 +188,7 @@ def test_a_section_that_no_choice_takes_stays_a_mistake(resolved, tmp_path):
                     "subsection Linear solver\n  subsection multigrid\n"
                     "  end\nend\n")
     for settings in ([], ["Time/End=2"], ["Linear solver/Method=kept factor"]):
-        result = runs.run(case, tmp_path / "out", settings)
+        result = run(case, tmp_path / "out", settings)
         assert result.exit_code == 1
         assert "case.prm, line 3" in result.message
         assert "'Linear solver/multigrid' is not used" in result.message

@@ -9,14 +9,10 @@ import re
 import subprocess
 
 import pytest
-from lumbricus_run import outline, resolved, run, run_well
-from mistakes import ManyRuns
+from lumbricus_run import call, outline, resolved, run, run_well
 
 HERE = pathlib.Path(__file__).resolve().parent
 BLOCK = HERE / "block.prm"
-
-
-call = ManyRuns().call
 
 
 @pytest.mark.parametrize("option", ["--help", "-h"])

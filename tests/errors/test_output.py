@@ -7,13 +7,10 @@ import signal
 import subprocess
 
 import pytest
-from lumbricus_run import Run
-from mistakes import ManyRuns
+from lumbricus_run import Run, call, run
 
 HERE = pathlib.Path(__file__).resolve().parent
 BLOCK = HERE / "block.prm"
-
-run, call = ManyRuns().run, ManyRuns().call
 
 
 @pytest.mark.parametrize("folder, ranks", [("file", 1), ("file/below", 1),

@@ -10,8 +10,8 @@ import shutil
 import subprocess
 
 import pytest
-from lumbricus_run import go_on, outline, run, run_well
-from mistakes import ManyRuns, check_one_message, names, on_ranks, run_all
+from lumbricus_run import call, go_on, outline, run, run_well
+from mistakes import check_one_message, names, on_ranks, run_all
 
 BLOCK = pathlib.Path(__file__).resolve().parent / "block.prm"
 PLUGINS = pathlib.Path(os.environ["PLUGINS"])
@@ -20,7 +20,6 @@ TAKEN = PLUGINS / "libtaken_name.so"
 ENTRY = "Additional shared libraries"
 CHOICE = "Muscles/biceps/Active stretch"
 
-call = ManyRuns().call
 # "lumbricus VERSION (deal.II VERSION, BUILD TYPE)"
 VERSION = call("--version").stdout.strip()
 

@@ -4,12 +4,10 @@ exit code 1, and names the file, the line, the column and what is there."""
 import pathlib
 
 import pytest
-from mistakes import ManyRuns
+from lumbricus_run import call, run
 
 BLOCK = pathlib.Path(__file__).resolve().parent / "block.prm"
 GOOD = "t, 1\n0, 1\n0.5, 0.95\n1, 0.9\n"
-
-runs = ManyRuns()
 
 
 def settings(table):
@@ -31,7 +29,7 @@ def test_a_wrong_table(tmp_path, text, parts):
     path = tmp_path / "table.csv"
     if text is not None:
         path.write_text(text)
-    result = runs.run(BLOCK, tmp_path / "out", settings(path))
+    result = run(BLOCK, tmp_path / "out", settings(path))
     assert result.exit_code == 1, result.message
     for part in ["'Muscles/biceps/table/File'", str(path), *parts]:
         assert part in result.message, result.message
@@ -41,13 +39,13 @@ def test_a_wrong_table(tmp_path, text, parts):
 def test_a_table_that_has_changed_is_said_at_a_restart(tmp_path):
     path = tmp_path / "table.csv"
     path.write_text(GOOD)
-    result = runs.run(BLOCK, tmp_path / "out", [
+    result = run(BLOCK, tmp_path / "out", [
         *settings(path), "Time/End=0.5", "Checkpoints/Steps=1"])
     assert result.exit_code == 0, result.message
     path.write_text(GOOD.replace("0.9\n", "0.8\n"))
-    again = runs.call("--restart", tmp_path / "out", "--set", "Time/End=1")
+    again = call("--restart", tmp_path / "out", "--set", "Time/End=1")
     assert again.returncode == 1
     assert "'Muscles/biceps/table/File'" in again.stderr
     path.write_text(GOOD)
-    again = runs.call("--restart", tmp_path / "out", "--set", "Time/End=1")
+    again = call("--restart", tmp_path / "out", "--set", "Time/End=1")
     assert again.returncode == 0, again.stderr

@@ -11,15 +11,11 @@ import shutil
 import signal
 import socket
 import subprocess
-import sys
 import time
 
 import pytest
 from faults import checkpoints, kill_all, start
-from lumbricus_run import SOURCE, Run
-
-sys.path.insert(0, str(SOURCE / "tests" / "errors"))
-from mistakes import ManyRuns  # noqa: E402
+from lumbricus_run import SOURCE, Run, call, run
 
 BLOCK = SOURCE / "tests" / "errors" / "block.prm"
 EVERY_STEP = ["Checkpoints/Steps=1", "Checkpoints/Minutes=0"]
@@ -27,18 +23,16 @@ EVERY_STEP = ["Checkpoints/Steps=1", "Checkpoints/Minutes=0"]
 LONG = ["Time/First step=1e-4", "Time/Largest step=1e-4", "Output/Every=0"]
 TENTHS = ["Time/First step=0.1", "Time/Largest step=0.1"]
 
-many = ManyRuns()
-
 
 def block(folder, settings=(), ranks=1):
-    return many.run(BLOCK, folder, settings, ranks)
+    return run(BLOCK, folder, settings, ranks)
 
 
 def restart(folder, settings=(), cwd=None):
     arguments = ["--restart", folder]
     for setting in settings:
         arguments += ["--set", setting]
-    return Run(many.call(*arguments, folder=cwd), folder)
+    return Run(call(*arguments, folder=cwd), folder)
 
 
 def tree(folder):
@@ -172,7 +166,7 @@ def test_output_beside_the_own_parameters(tmp_path):
     """-o . beside one's own parameters.prm wrote all defaults over it."""
     own = tmp_path / "parameters.prm"
     own.write_text("# My study\n" + BLOCK.read_text())
-    result = many.call("parameters.prm", "-o", ".", folder=tmp_path)
+    result = call("parameters.prm", "-o", ".", folder=tmp_path)
     assert result.returncode == 1
     assert "'./parameters.prm' is not as a run of lumbricus has left it" in \
         " ".join(result.stderr.split())
@@ -186,12 +180,12 @@ def test_parameters_that_were_changed_by_hand(tmp_path):
     assert block(tmp_path, EVERY_STEP).exit_code == 0
     path = tmp_path / "parameters.prm"
     # As the run has left it, it can be the input.
-    again = Run(many.call(path, "--output", tmp_path), tmp_path)
+    again = Run(call(path, "--output", tmp_path), tmp_path)
     assert again.exit_code == 0, again.message
     with open(path, "a") as file:
         file.write("# a = 5?\n")
     before = tree(tmp_path)
-    for result in (Run(many.call(path, "--output", tmp_path), tmp_path),
+    for result in (Run(call(path, "--output", tmp_path), tmp_path),
                    restart(tmp_path, ["Time/End=2"])):
         assert result.exit_code == 1
         assert f"'{path}' is not as a run of lumbricus has left it" in \
@@ -345,7 +339,7 @@ def test_an_end_that_is_past(tmp_path):
 def test_check_of_a_restart_changes_nothing(tmp_path):
     assert block(tmp_path, EVERY_STEP).exit_code == 0
     before = tree(tmp_path)
-    result = many.call("--restart", tmp_path, "--set", "Time/End=2", "--check")
+    result = call("--restart", tmp_path, "--set", "Time/End=2", "--check")
     assert result.returncode == 0, result.stderr
     assert "The input is valid" in result.stdout
     assert tree(tmp_path) == before

@@ -13,10 +13,10 @@ import sys
 import zlib
 
 import pytest
-from lumbricus_run import SOURCE, Run
+from lumbricus_run import SOURCE, Run, call, run
 
 sys.path.insert(0, str(SOURCE / "tests" / "errors"))
-from mistakes import JARGON, ManyRuns  # noqa: E402
+from mistakes import JARGON  # noqa: E402
 
 BLOCK = SOURCE / "tests" / "errors" / "block.prm"
 SETTINGS = ["Checkpoints/Steps=1", "Output/Points=2, 0, 0",
@@ -25,20 +25,17 @@ SETTINGS = ["Checkpoints/Steps=1", "Output/Points=2, 0, 0",
 # The checkpoints of the two last steps, of four in all.
 NEWEST, OLDER = "000002", "000001"
 
-many = ManyRuns()
-
 
 def restart(folder, end):
-    return Run(many.call("--restart", folder, "--set", f"Time/End={end}"),
-               folder)
+    return Run(call("--restart", folder, "--set", f"Time/End={end}"), folder)
 
 
 @pytest.fixture(scope="module")
 def world(tmp_path_factory):
     """A run, what it comes to when it goes on, and somebody's files beside."""
     base = tmp_path_factory.mktemp("world")
-    run = many.run(BLOCK, base / "run", SETTINGS)
-    assert run.exit_code == 0, run.message
+    first = run(BLOCK, base / "run", SETTINGS)
+    assert first.exit_code == 0, first.message
     shutil.copytree(base / "run", base / "whole")
     whole = restart(base / "whole", 1.5)
     assert whole.exit_code == 0, whole.message

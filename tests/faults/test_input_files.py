@@ -6,16 +6,11 @@ import os
 import pathlib
 import shutil
 import subprocess
-import sys
 
 import pytest
 from loaded_program import loaded_program
-from lumbricus_run import SOURCE, Run
+from lumbricus_run import SOURCE, Run, call
 
-sys.path.insert(0, str(SOURCE / "tests" / "errors"))
-from mistakes import ManyRuns  # noqa: E402
-
-many = ManyRuns()
 
 CASE = """
 include common.prm
@@ -91,7 +86,7 @@ def study(tmp_path_factory):
     (folder / "fibres.csv").write_text(fibres("1, 0, 0"))
     (folder / "case.prm").write_text(CASE)
     (folder / "common.prm").write_text(COMMON)
-    result = many.call("case.prm", "-o", "run", folder=folder)
+    result = call("case.prm", "-o", "run", folder=folder)
     assert result.returncode == 0, result.stderr
     whole = shutil.copytree(folder, folder.parent / "whole")
     expected = restart(whole, "run")
@@ -103,7 +98,7 @@ def restart(cwd, folder, settings=("Time/End=1",)):
     arguments = ["--restart", folder]
     for setting in settings:
         arguments += ["--set", setting]
-    return Run(many.call(*arguments, folder=cwd), pathlib.Path(cwd, folder))
+    return Run(call(*arguments, folder=cwd), pathlib.Path(cwd, folder))
 
 
 @pytest.mark.parametrize("name, content, parameter", [
@@ -202,7 +197,7 @@ def test_a_mesh_out_of_a_pipe(study, tmp_path):
     """Every rank would read a part of it, and a restart nothing."""
     folder = shutil.copytree(study[0], tmp_path / "study")
     os.mkfifo(folder / "pipe")
-    result = many.call("case.prm", "-o", "piped", "--set",
+    result = call("case.prm", "-o", "piped", "--set",
                        "Geometry/mesh file/File=pipe", folder=folder)
     assert result.returncode == 1
     assert "'pipe' cannot be read" in result.stderr
