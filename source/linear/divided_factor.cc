@@ -43,6 +43,8 @@ namespace lumbricus
                                          division.shared,
                                          numbering.size(),
                                          shared_entries,
+                                         // What MUMPS pivots is L U here.
+                                         symmetric && !options.pivoting,
                                          comm))
   {
     const double largest =

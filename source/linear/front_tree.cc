@@ -56,11 +56,13 @@ namespace lumbricus
                        const std::vector<SharedUnknown> &shared,
                        const unsigned int                first_more,
                        const double                      least_shared,
+                       const bool                        symmetric,
                        const MPI_Comm                    comm)
     : comm(comm)
     , rank(dealii::Utilities::MPI::this_mpi_process(comm))
     , first_more(first_more)
     , least_shared(least_shared)
+    , symmetric(symmetric)
   {
     std::vector<SharedUnknown> left = shared;
     std::vector<unsigned int>  sharing(1, rank); // of what is left
@@ -190,7 +192,11 @@ namespace lumbricus
         }
         of_halves[node.half] = std::move(matrix);
         // What is wrong goes on to the end, where it is said.
-        is_regular = node.front->factor(of_halves, matrix) && is_regular;
+        is_regular = node.front->factor(of_halves,
+                                        symmetric,
+                                        node.group.get(),
+                                        matrix) &&
+                     is_regular;
         const unsigned int n_left_here = node.front->left().size();
         gather(node, matrix.data(), n_left_here, n_left_here);
       }

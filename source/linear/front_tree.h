@@ -32,11 +32,12 @@ namespace lumbricus
   public:
     /** With the unknowns @p shared of this rank; those of no cell have numbers
      * from @p first_more on; rows of fronts with @p least_shared entries or more
-     * are shared. Collective, as are factor() and solve(). */
+     * are shared; their matrix may be known to be @p symmetric. Collective, as are factor() and solve(). */
     FrontTree(const RankTree                   &tree,
               const std::vector<SharedUnknown> &shared,
               const unsigned int                first_more,
               const double                      least_shared,
+              const bool                        symmetric,
               const MPI_Comm                    comm);
 
     /** The most unknowns at a node with a share of this rank. */
@@ -112,6 +113,7 @@ namespace lumbricus
     const unsigned int rank;
     const unsigned int first_more;
     const double       least_shared;
+    const bool         symmetric;
     std::vector<Node>  nodes; // from below
     unsigned int       n_left; // by all of them
     unsigned int       above;  // who tells their solution

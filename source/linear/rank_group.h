@@ -45,6 +45,7 @@ namespace lumbricus
       MPI_Comm_group(comm, &all);
       MPI_Group_incl(all, n_ranks, numbers.data(), &these);
       MPI_Comm_create_group(comm, these, 2013, &group_comm);
+      i_own = dealii::Utilities::MPI::this_mpi_process(group_comm);
       MPI_Group_free(&these);
       MPI_Group_free(&all);
     }
@@ -54,6 +55,27 @@ namespace lumbricus
       // It takes all of them, and after an error the others may not be here.
       if (std::uncaught_exceptions() == 0)
         MPI_Comm_free(&group_comm);
+    }
+
+    /** How many ranks these are. */
+    unsigned int
+    size() const
+    {
+      return n_ranks;
+    }
+
+    /** Which of them this is. */
+    unsigned int
+    own() const
+    {
+      return i_own;
+    }
+
+    /** Let all have the @p values of number @p i of them. */
+    void
+    tell(std::vector<float> &values, const unsigned int i) const
+    {
+      MPI_Bcast(values.data(), values.size(), MPI_FLOAT, i, group_comm);
     }
 
     RankGroup(const RankGroup &) = delete;
@@ -88,6 +110,7 @@ namespace lumbricus
 
   private:
     const unsigned int n_ranks;
+    unsigned int       i_own;
     MPI_Comm           group_comm;
   };
 } // namespace lumbricus

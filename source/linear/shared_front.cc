@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "shared_front.h"
 
-#include <deal.II/lac/exceptions.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -74,13 +72,15 @@ namespace lumbricus
 
   bool
   SharedFront::factor(const std::array<std::vector<float>, 2> &halves,
+                      const bool                               symmetric,
+                      const RankGroup                         *group,
                       std::vector<float>                      &left_matrix)
   {
     const unsigned int              n_e = eliminated_numbers.size();
     const unsigned int              n_l = left_unknowns.size();
     dealii::LAPACKFullMatrix<float> lower(n_e, n_l); // each row a column
     dealii::LAPACKFullMatrix<float> upper(n_e, n_l);
-    factors.reinit(n_e, n_e);
+    factors.reinit(n_e);
     left_matrix.assign(std::size_t(n_l) * n_l, 0.);
     for (unsigned int i = 0; i < 2; ++i)
       {
@@ -90,7 +90,7 @@ namespace lumbricus
             {
               const float value = *entry++;
               if (r < n_e && s < n_e)
-                factors(r, s) += value;
+                factors.entry(r, s) += value;
               else if (r < n_e)
                 upper(r, s - n_e) += value;
               else if (s < n_e)
@@ -99,20 +99,12 @@ namespace lumbricus
                 left_matrix[std::size_t(r - n_e) * n_l + s - n_e] += value;
             }
       }
-    if (n_e == 0)
-      return true;
-    try
-      {
-        factors.compute_lu_factorization();
-      }
-    catch (const dealii::LACExceptions::ExcSingular &)
-      {
-        return false;
-      }
-    if (!uses_factors)
+    if (!factors.factor(symmetric, group))
+      return false;
+    if (n_e > 0 && !uses_factors)
       {
         compute_rows(lower, upper, left_matrix);
-        factors.reinit(0, 0);
+        factors.reinit(0);
       }
     return true;
   }
@@ -135,7 +127,7 @@ namespace lumbricus
         up_rows(r, k) = lower(r, own_left.first + k);
     for (dealii::LAPACKFullMatrix<float> *rows : {&inverse_rows, &up_rows})
       if (rows->n() > 0)
-        factors.solve(*rows, true);
+        factors.solve_transposed(*rows);
     down_rows.reinit(own_eliminated.size(), n_l);
     if (n_l > 0 && own_eliminated.size() > 0)
       inverse_rows.Tmmult(down_rows, upper);

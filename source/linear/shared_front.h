@@ -10,6 +10,7 @@
 #include <array>
 #include <vector>
 
+#include "front_factors.h"
 #include "rank_group.h"
 
 namespace lumbricus
@@ -23,10 +24,10 @@ namespace lumbricus
    *   [ F_le  F_ll ],   S = F_ll - P F_el,   P = F_le F_ee^(-1);
    *
    * S and the unknowns l that are left go to the node above. Several ranks do
-   * that together. Each has the sum and the factors of F_ee, with exchanges of
-   * rows, and computes some rows of P, S, F_ee^(-1) and Q = F_ee^(-1) F_el. These
-   * are what right-hand sides and solutions are multiplied by, so that of a solve
-   * each rank has its rows of dense products.
+   * that together. Each has the sum and the FrontFactors of F_ee, and computes some
+   * rows of P, S, F_ee^(-1) and Q = F_ee^(-1) F_el. These are what right-hand sides
+   * and solutions are multiplied by, so that of a solve each rank has its rows of
+   * dense products.
    */
   class SharedFront
   {
@@ -72,10 +73,13 @@ namespace lumbricus
     flops() const;
 
     /** Factor the sum of the matrices of the @p halves, by rows, into this, and
-     * make this rank's rows of @p left_matrix what is left.
+     * make this rank's rows of @p left_matrix what is left; with the @p group of
+     * the ranks that share it, if there is one.
      * @return whether it is regular. */
     bool
     factor(const std::array<std::vector<float>, 2> &halves,
+           const bool                               symmetric,
+           const RankGroup                         *group,
            std::vector<float>                      &left_matrix);
 
     /** The sum of the right-hand sides of the halves. */
@@ -119,7 +123,7 @@ namespace lumbricus
      * saves: both use the factors. */
     bool uses_factors = false;
 
-    dealii::LAPACKFullMatrix<float> factors;      // of F_ee
+    FrontFactors                    factors;      // of F_ee
     dealii::LAPACKFullMatrix<float> inverse_rows; // each a column
     dealii::LAPACKFullMatrix<float> up_rows;      // of P, each a column
     dealii::LAPACKFullMatrix<float> down_rows;    // of Q

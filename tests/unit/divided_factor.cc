@@ -293,6 +293,9 @@ namespace
     DividedFactors,
     ::testing::Values(Kind{"symmetric", block_of("5, 2, 1", false), true},
                       Kind{"general", block_of("5, 2, 1", false), false},
+                      // Fronts of several block rows: positive definite ones, and
+                      // with unknowns that no cell has others.
+                      Kind{"much shared", block_of("2, 7, 7", false), true},
                       Kind{"alone", block_of("1, 1, 1", false), true},
                       Kind{"nothing inside", block_of("2, 1, 1", true), true},
                       Kind{"nothing inside, general",
@@ -317,6 +320,7 @@ namespace
 
   TEST_P(DividedFactors, ShareTheRowsOfFronts)
   {
+    compare({}, DividedFactor::most_dense_entries, 0.);
     compare(border(), DividedFactor::most_dense_entries, 0.);
   }
 
