@@ -20,6 +20,10 @@ namespace lumbricus
 
 
 
+  const std::string LoadUnknown::name = "load_parameter";
+
+
+
   Equilibrium::Equilibrium(const Body          &body,
                            Assembler           &assembler,
                            SurfaceTerms        &surface_terms,
@@ -98,6 +102,70 @@ namespace lumbricus
   Equilibrium::set_borders(const std::vector<BorderSource *> &new_sources)
   {
     sources = new_sources;
+  }
+
+
+
+  void
+  Equilibrium::set_load_unknown(LoadUnknown *new_load)
+  {
+    load = new_load;
+  }
+
+
+
+  void
+  Equilibrium::take_loads(const Unknowns &x)
+  {
+    if (load == nullptr)
+      return;
+    const double t = x.globals.at(LoadUnknown::name)[0];
+    if (t == time.to())
+      return;
+    time = t;
+    load->set_loads(time);
+  }
+
+
+
+  void
+  Equilibrium::append_load(const Unknowns &x,
+                           const bool      with_tangent,
+                           Border         &all)
+  {
+    if (load == nullptr)
+      return;
+    const double       t        = time.to();
+    const unsigned int n        = all.size();
+    const auto         equation = load->equation(x.solution, t);
+    if (with_tangent)
+      {
+        const double h = load->difference();
+        Vector       column, ahead;
+        assembler.residual(x.solution, time, column);
+        const Border rows = border_at(x, nullptr, column);
+        time              = t + h;
+        load->set_loads(time);
+        assembler.residual(x.solution, time, ahead);
+        const Border rows_ahead = border_at(x, nullptr, ahead);
+        time                    = t;
+        load->set_loads(time);
+        column.sadd(-1. / h, 1. / h, ahead);
+
+        dealii::FullMatrix<double> corner(n + 1, n + 1);
+        if (n > 0)
+          corner.fill(all.corner);
+        for (unsigned int k = 0; k < n; ++k)
+          corner(k, n) = (rows_ahead.residual[k] - rows.residual[k]) / h;
+        corner(n, n) = equation.by_t;
+        all.corner   = corner;
+        all.columns.emplace_back(column);
+        all.rows.push_back(equation.by_u);
+      }
+    all.names.emplace_back(LoadUnknown::name, 1);
+    all.residual.push_back(equation.residual);
+    all.scale.push_back(1.);
+    all.rounding.push_back(equation.rounding);
   }
 
 
@@ -181,9 +249,11 @@ namespace lumbricus
   Equilibrium::residual(const Unknowns &x)
   {
     dealii::TimerOutput::Scope scope(timer, "residual");
+    take_loads(x);
     follow(x.solution);
-    const auto   report = assembler.residual(x.solution, time, r);
-    const Border rows   = border_at(x, nullptr, r);
+    const auto report = assembler.residual(x.solution, time, r);
+    Border     rows   = border_at(x, nullptr, r);
+    append_load(x, false, rows);
 
     double force = 0., volume = 0.;
     for (unsigned int i = 0; i < component.size(); ++i)
@@ -219,6 +289,7 @@ namespace lumbricus
   {
     throw_if_interrupted(body.space.communicator());
     dealii::TimerOutput::Scope scope(timer, "assembly");
+    take_loads(x);
     assembler.linearise(x.solution, time);
     if (surface_terms.may_slide())
       {
@@ -227,12 +298,13 @@ namespace lumbricus
           linearised.pop_front();
       }
     border = Border();
-    if (sources.empty())
+    if (!is_bordered())
       return;
     rhs = assembler.right_hand_side();
     rhs *= -1.;
     border = border_at(x, &assembler.tangent(), rhs);
     rhs *= -1.;
+    append_load(x, true, border);
   }
 
 
@@ -240,7 +312,7 @@ namespace lumbricus
   const Vector &
   Equilibrium::right_hand_side() const
   {
-    return sources.empty() ? assembler.right_hand_side() : rhs;
+    return is_bordered() ? rhs : assembler.right_hand_side();
   }
 
 
@@ -251,7 +323,7 @@ namespace lumbricus
     dealii::TimerOutput::Scope scope(timer, "linear solver");
     const Vector &b = right_hand_side();
     dx.solution.reinit(b, true);
-    if (sources.empty())
+    if (!is_bordered())
       linear_solver.solve(dx.solution, b, tolerance);
     else
       {
@@ -369,6 +441,7 @@ namespace lumbricus
   std::string
   Equilibrium::locate_trouble(const Unknowns &x)
   {
+    take_loads(x);
     const MixedSpace  &space  = body.space;
     const auto         report = assembler.residual(x.solution, time, r);
     border_at(x, nullptr, r);

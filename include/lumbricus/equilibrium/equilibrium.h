@@ -4,6 +4,7 @@
 
 #include <lumbricus/discretization/assembler.h>
 #include <lumbricus/discretization/border.h>
+#include <lumbricus/equilibrium/load_unknown.h>
 #include <lumbricus/equilibrium/newton.h>
 #include <lumbricus/linear/linear_solver.h>
 
@@ -44,6 +45,11 @@ namespace lumbricus
     /** Those of set_borders(). */
     const std::vector<BorderSource *> &
     borders() const;
+
+    /** Solve for the time too, which is then among the global unknowns, by the
+     * name of LoadUnknown and last; null: no longer. Kept by reference. */
+    void
+    set_load_unknown(LoadUnknown *new_load);
 
     /** The right-hand side -r of linearise(), with what the borders add. */
     const Vector &
@@ -132,6 +138,23 @@ namespace lumbricus
     Border
     border_at(const Unknowns &x, Tangent *tangent, Vector &residual) const;
 
+    /** Take the loads at the time that is among the unknowns of @p x, where it is
+     * one. */
+    void
+    take_loads(const Unknowns &x);
+
+    /** Let the unknown time follow the unknowns of @p all, which is at @p x; with
+     * its column, row and corner if they are there. */
+    void
+    append_load(const Unknowns &x, const bool with_tangent, Border &all);
+
+    /** Whether there are global unknowns. */
+    bool
+    is_bordered() const
+    {
+      return !sources.empty() || load != nullptr;
+    }
+
     /** Let the constraints be those at @p x, where they follow it. */
     void
     follow(const Vector &x);
@@ -159,6 +182,7 @@ namespace lumbricus
     std::deque<Vector> linearised;
 
     std::vector<BorderSource *> sources;
+    LoadUnknown                *load = nullptr;
     /** That of linearise(), and the right-hand side with what it adds. */
     Border border;
     Vector rhs;
