@@ -22,6 +22,7 @@ CORD, TRANSVERSE, LONGITUDINAL = 0.2, 0.6, 0.92  # outer radii over that of the 
 BASE, TIP, LENGTH = 6.0, 2.0, 80.0     # [mm]
 BEST_LONGITUDINAL = 1.25
 HELIX = np.radians(60)
+FASTEST, CURVATURE, LARGEST = 2.43, 1.45, 1.8  # of force-velocity [1/s, 1, 1]
 # Length over radius, integrated along the arm: what a bend or a twist is multiplied by.
 SLENDERNESS = LENGTH / (BASE - TIP) * np.log(BASE / TIP)
 
@@ -103,6 +104,32 @@ def twist(oblique):
     return np.degrees(w * SLENDERNESS), l
 
 
+def hill(v):
+    """The part of its tension that a fibre has whose stretch changes at this rate."""
+    w = v / FASTEST
+    if w < 0:
+        return max(0, (1 + w) / (1 - w / CURVATURE))
+    return LARGEST - (LARGEST - 1) / (1 + (1 + 1 / CURVATURE) / (LARGEST - 1) * w)
+
+
+def extension(transverse, end, dt):
+    """The stretch along the axis at times up to the end, where the transverse muscle is
+    active from t = 0 on: a (l - l^-2) is what its fibres, as they shorten, push with,
+    in steps as those of the program."""
+    part = transverse * STRENGTH * (TRANSVERSE**2 - CORD**2)
+    stretches = [1.0]
+    for _ in range(round(end / dt)):
+        before, low, high = stretches[-1]**-0.5, 0.5, 3.0
+        for _ in range(60):
+            l = (low + high) / 2
+            m = l**-0.5
+            far = abs(m - 1)
+            push = part * (1 - 4 * far**2) * hill((m - before) / dt) * m**3
+            low, high = (l, high) if A * (l - l**-2) < push else (low, l)
+        stretches.append(l)
+    return stretches
+
+
 if __name__ == "__main__":
     for alpha in (0.1, 0.2, 0.3, 0.4):
         l = elongation(alpha)
@@ -113,3 +140,10 @@ if __name__ == "__main__":
               f"length on the axis {l:.4f}")
     angle, l = twist(0.02)
     print(f"right oblique 0.02: {angle:.2f} degrees, length {l:.4f}")
+    for dt in (0.02, 0.001):
+        stretches = extension(0.4, 0.5, dt)
+        all_of_it = elongation(0.4) - 1
+        half, most = (next(i for i, l in enumerate(stretches) if l - 1 >= q * all_of_it)
+                      for q in (0.5, 0.9))
+        print(f"at speed, steps of {dt} s: half of it after {half * dt:.3f} s, 90 % after "
+              f"{most * dt:.3f} s, length at 0.1 s {stretches[round(0.1 / dt)]:.4f}")
