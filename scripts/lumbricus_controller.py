@@ -44,11 +44,13 @@ class Controller:
             finally:
                 with contextlib.suppress(FileNotFoundError):
                     address.unlink()
-        with connection, connection.makefile("rw", encoding="utf-8",
-                                             newline="\n") as lines:
-            with contextlib.suppress(BrokenPipeError, ConnectionResetError):
-                for line in lines:
-                    asked = json.loads(line)
-                    answer = self.step(asked["t"], asked["dt"], asked["segments"])
-                    lines.write(json.dumps(answer) + "\n")
-                    lines.flush()
+        # A run that has ended meanwhile does not want its answer: neither when it is
+        # written, nor when what was not sent is, at the end.
+        with contextlib.suppress(BrokenPipeError, ConnectionResetError), \
+                connection, connection.makefile("rw", encoding="utf-8",
+                                                newline="\n") as lines:
+            for line in lines:
+                asked = json.loads(line)
+                answer = self.step(asked["t"], asked["dt"], asked["segments"])
+                lines.write(json.dumps(answer) + "\n")
+                lines.flush()

@@ -16,12 +16,17 @@ results="$repository/results/$name"
 address="$name.sock"
 # Where the run looks for the address that the case names.
 cd "$repository"
+# Left by a controller that was killed, it would look as if there were one.
+rm -f "$address"
 "$python" "parameters/$name/controller.py" "$address" &
+controller=$!
+# A run that does not begin never asks, and the controller would wait for ever.
+trap 'kill "$controller" 2>/dev/null || true; rm -f "$address"' EXIT
 while [[ ! -S $address ]]; do
-  kill -0 $!
+  kill -0 "$controller"
   sleep 0.1
 done
 mpirun -np 2 build-Release/lumbricus "parameters/$name/case.prm" \
   --output "$results" "${@:2}"
-wait
+wait "$controller"
 scripts/lumbricus-plot "$results"

@@ -13,10 +13,10 @@ sys.path.insert(0, str(SOURCE / "scripts"))
 from lumbricus_controller import Controller as Controller  # noqa: E402
 
 
-def controlled(muscles, address):
+def controlled(muscles, address, quantity="Active stretch"):
     """The settings that give these muscles to the controller at an address."""
     return [setting for muscle in muscles for setting in (
-        f"Muscles/{muscle}/Active stretch=server",
+        f"Muscles/{muscle}/{quantity}=server",
         f"Muscles/{muscle}/server/Address={address}")]
 
 

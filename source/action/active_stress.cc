@@ -68,9 +68,9 @@ namespace lumbricus
     }
 
     double
-    strength(const double alpha) const override
+    strength(const double alpha, const double tension) const override
     {
-      return alpha;
+      return alpha * tension;
     }
 
     double

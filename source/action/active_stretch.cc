@@ -31,7 +31,7 @@ namespace lumbricus
     }
 
     double
-    strength(const double lambda) const override
+    strength(const double lambda, const double /*tension*/) const override
     {
       return std::log(lambda);
     }

@@ -9,7 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "elastic_fibre_symmetry.h"
 #include "plane_of_symmetry.h"
@@ -144,6 +147,54 @@ namespace lumbricus
 
 
 
+    // What the muscles of one action do together at a point and a time.
+    struct JointAction
+    {
+      Tensor<1, dim> sum;        ///< of strength times e . M t
+      double         all   = 0.; ///< sum of strengths
+      double         slack = 0.; ///< that sampling may need
+      unsigned int   n     = 0;  ///< muscles that are not symmetric alone
+      std::string    who;        ///< their names, and what they do
+    };
+
+
+
+    JointAction
+    act_together(const MusclePoint &point,
+                 const std::string &action,
+                 const double       t)
+    {
+      JointAction        joint;
+      std::ostringstream who;
+      who.precision(3);
+      for (unsigned int m = 0; m < point.muscles->size(); ++m)
+        {
+          const Muscle &muscle = *(*point.muscles)[m];
+          if (muscle.action_name() != action)
+            continue;
+          const double activation = muscle.activation(t, point.segment, point.X);
+          const double tension =
+            muscle.fibre_at_rest(point.segment, point.X).largest_tension;
+          const double strength = muscle.action().strength(activation, tension);
+          joint.sum += strength * point.mixed[m];
+          joint.all += std::abs(strength);
+          joint.slack += std::abs(strength) * point.slack[m];
+          if (std::abs(strength) * point.mixed[m].norm() <=
+              tolerance * joint.all)
+            continue;
+          who << (joint.n++ == 0 ? "'" : ", '") << muscle.name()
+              << "' (fibres at " << point.angle[m] << " degrees to it, "
+              << muscle.action().quantity() << " " << activation;
+          if (tension > 0.)
+            who << " of " << tension << " N/mm^2";
+          who << ")";
+        }
+      joint.who = who.str();
+      return joint;
+    }
+
+
+
     // What is wrong with the muscles at a plane; empty where nothing is.
     std::string
     asymmetric_muscles(const Plane               &plane,
@@ -151,44 +202,28 @@ namespace lumbricus
                        const Anatomy             &anatomy,
                        const std::vector<double> &times)
     {
+      std::set<std::string> actions;
+      for (unsigned int m = 0; m < anatomy.n_muscles(); ++m)
+        actions.insert(anatomy.muscle(m).action_name());
       for (const MusclePoint &point : doubtful_points(plane, space, anatomy))
         for (const double t : times)
-          {
-            Tensor<1, dim>     sum;
-            double             all = 0., slack = 0.;
-            unsigned int       n = 0;
-            std::ostringstream who;
-            who.precision(3);
-            for (unsigned int m = 0; m < point.muscles->size(); ++m)
-              {
-                const Muscle &muscle = *(*point.muscles)[m];
-                const double  activation =
-                  muscle.activation(t, point.segment, point.X);
-                const double strength = muscle.action().strength(activation);
-                sum += strength * point.mixed[m];
-                all += std::abs(strength);
-                slack += std::abs(strength) * point.slack[m];
-                if (std::abs(strength) * point.mixed[m].norm() >
-                    tolerance * all)
-                  who << (n++ == 0 ? "'" : ", '") << muscle.name()
-                      << "' (fibres at " << point.angle[m]
-                      << " degrees to it, " << muscle.action().quantity()
-                      << " " << activation << ")";
-              }
-            if (!(sum.norm() > tolerance * all + slack))
-              continue;
-            std::ostringstream message;
-            message << (n == 1 ? "The muscle " : "The muscles ") << who.str()
-                    << (n == 1 ? " is" : " together are")
-                    << " not symmetric to " << plane.name()
-                    << ": at time " << t << " at its point "
-                    << point_text(point.X)
-                    << ", where fibres have to be at 0 or 90 degrees to it, or "
-                       "crossed and equally active. "
-                    << anatomy.geometry().way_without_symmetry()
-                    << Plane::way_without_check();
-            return message.str();
-          }
+          for (const std::string &action : actions)
+            {
+              const JointAction joint = act_together(point, action, t);
+              if (!(joint.sum.norm() > tolerance * joint.all + joint.slack))
+                continue;
+              std::ostringstream message;
+              message << (joint.n == 1 ? "The muscle " : "The muscles ")
+                      << joint.who
+                      << (joint.n == 1 ? " is" : " together are")
+                      << " not symmetric to " << plane.name() << ": at time "
+                      << t << " at its point " << point_text(point.X)
+                      << ", where fibres have to be at 0 or 90 degrees to it, "
+                         "or crossed and equally active. "
+                      << anatomy.geometry().way_without_symmetry()
+                      << Plane::way_without_check();
+              return message.str();
+            }
       return "";
     }
 

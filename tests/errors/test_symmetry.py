@@ -28,6 +28,19 @@ def muscles(tissue, *named, **settings):
     return result
 
 
+def pulling(*named):
+    """Muscles of the wall that pull: a name, helical at this angle, strength."""
+    result = ["Tissues/wall/Muscles=" + ", ".join(n[0] for n in named)]
+    for name, angle, strength in named:
+        section = f"Muscles/{name}"
+        result += [f"{section}/Fibres=helical", f"{section}/helical/Angle={angle}",
+                   f"{section}/Action=active stress",
+                   f"{section}/Activation=expression",
+                   f"{section}/expression/Formula=t",
+                   f"{section}/active stress/Strength={strength}"]
+    return result
+
+
 def load(boundary, kind, *settings, names="push, some"):
     """One more than the pressure that the chain has."""
     section = "Boundary conditions/some"
@@ -73,6 +86,23 @@ MISTAKES = [
     ("crossed helices of different angles", CHAIN,
      muscles("wall", helix("left", -45), helix("right", 40)),
      ["'left' (fibres at 45 degrees", "'right' (fibres at 40 degrees"]),
+    ("a helix that pulls", CHAIN, pulling(("helix", 45, 0.2)),
+     ["The muscle 'helix' (fibres at 45 degrees to it, activation 0.01 of 0.2 "
+      "N/mm^2) is not symmetric to the plane of symmetry y = 0", FULL]),
+    ("crossed helices of which one is stronger", CHAIN,
+     pulling(("left", -45, 0.1), ("right", 45, 0.2)),
+     ["The muscles 'left' (fibres at 45 degrees to it, activation 0.01 of 0.1 "
+      "N/mm^2), 'right' (fibres at 45 degrees to it, activation 0.01 of 0.2 N/mm^2) "
+      "together are not symmetric to the plane of symmetry"]),
+    ("a strength that breaks the symmetry", CHAIN,
+     pulling(("left", -45, "0.1*(1 + (x > 1))"), ("right", 45, 0.1)),
+     ["'left' (fibres at 45 degrees to it, activation 0.01 of 0.2 N/mm^2)",
+      " together are not symmetric to the plane of symmetry y = 0"]),
+    ("a helix that pulls against one that contracts", CHAIN,
+     ["Tissues/wall/Muscles=left, right",
+      *pulling(("left", -45, 1))[1:], *muscles("wall", helix(
+          "right", 45, "exp(-t)"))[1:]],
+     ["The muscle '", " is not symmetric to the plane of symmetry y = 0"]),
     ("one family of elastic helices", CHAIN, elastic(("left", 40, 0.1)),
      ["The elastic fibres 'left' of the tissue 'wall' (at 40 degrees to it) "
       "are not symmetric to the plane of symmetry y = 0", FULL,
@@ -145,6 +175,9 @@ SYMMETRIC = {
         ("along", "longitudinal", [], "1 - 0.1*t"),
         ("out", "radial", [], "1 + 0.01*t")),
     "crossed helices": muscles("wall", helix("left", -45), helix("right", 45)),
+    "crossed helices that pull alike": pulling(
+        ("left", -45, "0.1 + 0.05*x"), ("right", 45, "0.1 + 0.05*x")),
+    "a helix without strength at the planes": pulling(("left", -45, "y*z")),
     "crossed elastic helices, and one family along": elastic(
         ("left", 40, 0.1), ("right", -40, 0.1), ("along", 0, 0.3)),
     "a law whose fibres are rings": guccione(90),

@@ -9,12 +9,15 @@ import re
 import pytest
 from controlled_run import Controller, controlled, serving
 from lumbricus_run import SOURCE, go_on, run_well
+from test_active_stress import bar as active_bar
+from test_active_stress import pulls
 from test_energy import energy
 from test_invariance import TO_THE_END, equal
 
 HERE = pathlib.Path(__file__).parent
 CHAIN = HERE / "chain.prm"
 BAR = HERE / "twitch.prm"
+FREE = HERE / "bar.prm"
 MUSCLES = ["longitudinal", "circular"]
 # Other steps than those that can be written down exactly.
 STEPS = ["Time/First step=0.07", "Time/Largest step=0.07", "Time/End=0.21"]
@@ -122,6 +125,49 @@ def test_a_restart_goes_on_with_steps_as_long_as_wanted(tmp_path):
         go_on(tmp_path, ["Time/End=0.2",
                          f"Muscles/fibres/server/Address={address}"])
     assert [dt for _, dt in controller.asked] == pytest.approx([0.02]*5)
+
+
+class Pull(Controller):
+    """The activation of one muscle, quicker and quicker."""
+
+    def __init__(self):
+        self.asked = []
+
+    def step(self, t, dt, segments):
+        self.asked.append(t)
+        return {"m0": [(t + dt)**2]}
+
+
+def test_an_active_stress_that_is_asked_for(tmp_path, monkeypatch):
+    """As the formula, and through a restart to the last digits, with the speed that
+    the fibres had before it."""
+    monkeypatch.chdir(tmp_path)
+    steps_of = ["Time/First step=0.1", "Time/Largest step=0.1", *TO_THE_END]
+    hill = {"Force-length": "Blemker", "Force-velocity": "Hill", "Hill/Fastest": 2}
+
+    def pulled(folder, end, start=None):
+        """The run, and the times that were asked for in it."""
+        controller = Pull()
+        with serving(controller, pathlib.Path("s")) as address:
+            settings = [s for s in active_bar(pulls("m0", 0.3, **hill))
+                        if "expression" not in s]
+            settings += controlled(["m0"], address, "Activation")
+            run = start() if start else run_well(
+                FREE, tmp_path / folder, [*settings, *steps_of, f"Time/End={end}"])
+        return run, controller.asked
+
+    formula = run_well(FREE, tmp_path / "formula", [
+        *active_bar(pulls("m0", 0.3, activation="t^2", **hill)), *steps_of,
+        "Time/End=0.6"])
+    whole, times = pulled("whole", 0.6)
+    equal(whole.segments(), formula.segments(), 1e-9)
+    assert times == pytest.approx(steps(whole)[:-1])
+    pulled("parts", 0.3)
+    parts, times = pulled("parts", 0.6, lambda: go_on(
+        tmp_path / "parts", ["Time/End=0.6"]))
+    assert times == pytest.approx(steps(whole)[3:-1])
+    equal(parts.segments(), whole.segments(), 1e-12)
+    assert whole.last()["length"] < 0.95 * whole.segments()[0]["length"]
 
 
 def bar(folder, controller, settings=()):

@@ -226,3 +226,26 @@ def test_lumbricus_terrestris_with_muscles_of_given_strength(tmp_path, monkeypat
     # Between the pulses.
     assert 1000 * min(row["fluid_pressure"] for row in rows) < 0.12
     volumes_kept(result, 1e-9)
+
+
+@pytest.mark.parametrize("circular", [0, 0.1])
+def test_pressure_of_a_longitudinal_muscle_needs_the_circular_one(
+        tmp_path, monkeypatch, circular):
+    """Long chambers that are all alike, far from septa, as a tube: free_body.py."""
+    monkeypatch.syspath_prepend(SOURCE / "parameters" / "lumbricus_terrestris")
+    import free_body
+    length, pressure = free_body.tube(0.06, circular)
+    pulses = [f"Muscles/{muscle}/wave/{setting}" for muscle, amplitude in (
+        ("longitudinal", 0.06), ("circular", circular), ("septal circular", 0),
+        ("septal radial", 0)) for setting in (
+            f"Amplitude={amplitude}", "Wavelength=1e9", "Phase=0")]
+    result = case("lumbricus_terrestris", tmp_path, pulses + [
+        CHAIN + "Cells around a quarter=2", CHAIN + "Liquid=cavity",
+        CHAIN + "Number of segments=3", CHAIN + "Segment length=20",
+        CHAIN + "Cells along a segment=10", "Time/End=1.5"], monkeypatch,
+        "active_stress.prm")
+    first, last = result.segments()[1], result.last(2)
+    assert last["length"] / first["length"] == pytest.approx(length, abs=0.005)
+    assert last["fluid_pressure"] == pytest.approx(
+        pressure, abs=5e-5 if circular == 0 else 3e-5)
+    volumes_kept(result, 1e-9)

@@ -61,7 +61,7 @@ namespace
     }
 
     double
-    strength(const double T) const override
+    strength(const double T, const double /*tension*/) const override
     {
       return T;
     }

@@ -72,12 +72,13 @@ namespace lumbricus
     requirement(const double value) const = 0;
 
     /**
-     * How strongly a muscle of the activation @p value acts, zero at rest.
-     * Muscles of the same action whose fibres cross are symmetric together
-     * where these are the same.
+     * How strongly a muscle of the activation @p value and of the
+     * largest_tension() @p tension [N/mm^2] acts, zero at rest. Muscles of the
+     * same action whose fibres cross are symmetric together where these are the
+     * same.
      */
     virtual double
-    strength(const double value) const = 0;
+    strength(const double value, const double tension) const = 0;
 
     /** The tension that is the scale of that of the muscle at @p X, at rest, of
      * segment @p segment, from zero [N/mm^2]. Throws ExcInput. */
