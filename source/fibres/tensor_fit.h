@@ -22,6 +22,7 @@ namespace lumbricus
   /** What a fit has found at x = 0. */
   struct FittedTensor
   {
+    /** The value. */
     dealii::SymmetricTensor<2, dim> A;
     /** By how much it may be off, see fit_tensor(). */
     double error;

@@ -9,11 +9,13 @@
 
 namespace lumbricus
 {
-  using FaceNodes =
-    std::array<dealii::Point<dim>, QuadraticCell::n_face_nodes>;
-
   namespace
   {
+    using FaceNodes =
+      std::array<dealii::Point<dim>, QuadraticCell::n_face_nodes>;
+
+
+
     std::string
     folded_cells(const std::vector<CurvedCell> &curved_cells)
     {

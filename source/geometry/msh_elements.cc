@@ -43,7 +43,7 @@ namespace lumbricus
         {{3, 4, "tetrahedra of higher order"},
          {30, 31, 32, 33, 71, 72, 73, 74, 75, 79, 80,
           81, 82, 83, 87, 136, 137, 139}},
-        {{3, 8, "hexahedra of eight nodes", 8}, {MshElementType::hexahedron}},
+        {{3, 8, "hexahedra", 8}, {MshElementType::hexahedron}},
         {{3, 8, "hexahedra of 27 nodes", 27}, {MshElementType::hexahedron_27}},
         {{3, 8, "hexahedra of 20 nodes", 20}, {MshElementType::hexahedron_20}},
         {{3, 8, "hexahedra of third order"}, {92}},

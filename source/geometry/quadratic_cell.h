@@ -4,6 +4,7 @@
 
 #include <lumbricus/core/dimension.h>
 
+#include <deal.II/base/derivative_form.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/grid/manifold.h>
@@ -99,24 +100,28 @@ namespace lumbricus
       : cell(cell)
     {}
 
+    /** See dealii::Manifold. */
     std::unique_ptr<dealii::Manifold<dim>>
     clone() const override
     {
       return std::make_unique<QuadraticManifold>(cell);
     }
 
+    /** x at @p X. */
     dealii::Point<dim>
     pull_back(const dealii::Point<dim> &X) const override
     {
       return cell.inverse(X);
     }
 
+    /** X at @p x. */
     dealii::Point<dim>
     push_forward(const dealii::Point<dim> &x) const override
     {
       return cell.at(x);
     }
 
+    /** dX/dx at @p x. */
     dealii::DerivativeForm<1, dim, dim>
     push_forward_gradient(const dealii::Point<dim> &x) const override
     {

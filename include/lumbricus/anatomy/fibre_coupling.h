@@ -33,14 +33,14 @@ namespace lumbricus
     void
     declare_parameters(dealii::ParameterHandler &prm) override;
 
-    /** The names of the two families. Throws ExcInput naming the parameter, in
-     * the section @p section, where they are not two of @p families. @return
-     * their places there. */
+    /** Find its two families among @p families, the names of those of the tissue.
+     * Throws ExcInput naming the parameter, in the section @p section, where they
+     * are not two of them. */
     void
     find_families(const std::string              &section,
                   const std::vector<std::string> &families);
 
-    /** The places of the two families in the list of those of the tissue. */
+    /** Where its first (0) or second family is in the list of the tissue's. */
     unsigned int
     family(const unsigned int i) const
     {
