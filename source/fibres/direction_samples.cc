@@ -181,9 +181,12 @@ namespace lumbricus
     const double       gap    = axes[0].first - axes[1].first;
     if (!(gap >= least_gap))
       return {directions[first.second], 1.};
+    double change = 0.;
+    for (const TensorSample &sample : samples)
+      change = std::max(change, (sample.A - samples.front().A).norm());
     // To first order, a projection changes by this where its tensor does by 1.
     return {axes[0].second / axes[0].second.norm(),
-            std::min(1., std::sqrt(2.) / gap * fitted.error)};
+            std::min(0.5 * change, std::sqrt(2.) / gap * fitted.error)};
   }
 
 

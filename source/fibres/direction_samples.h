@@ -46,7 +46,8 @@ namespace lumbricus
     direction(const dealii::Point<dim> &X) const;
 
     /** By how much f f may be off at @p X, in the Frobenius norm, as the second
-     * differences of the directions around it tell; 1 where f is that of the nearest
+     * differences of the directions around it tell, and at most half of what they
+     * differ from the nearest; 1 where f is that of the nearest
      * point because those around it contradict each other. */
     double
     error(const dealii::Point<dim> &X) const;

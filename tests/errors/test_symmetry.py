@@ -208,15 +208,15 @@ def test_fibres_of_cells_are_not_those_of_the_plane(tmp_path):
     # The finer the points, the less goes without saying: rings are taken, a helix of
     # three degrees is not.
     for angle, is_ring in ((3, False), (0, True)):
-        lines = []
+        points = []
         for x in (0.1 * i for i in range(30)):
             for r in (1.5, 1.6, 1.7, 1.8, 1.9, 2):
                 for k in range(33):
                     a = math.pi / 64 * k
                     y, z = r * math.cos(a), r * math.sin(a)
-                    lines.append(f"{x} {y} {z} {r * math.tan(math.radians(angle))}"
+                    points.append(f"{x} {y} {z} {r * math.tan(math.radians(angle))}"
                                  f" {-z} {y}\n")
-        (tmp_path / "fine.csv").write_text("".join(lines))
+        (tmp_path / "fine.csv").write_text("".join(points))
         fine = muscles("wall", ("m", "file", [f"File={tmp_path}/fine.csv",
                                               "Reach=9"], "1 - 0.1*t"))
         if is_ring:
