@@ -6,10 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
-
-#include "tensor_fit.h"
 
 namespace lumbricus
 {
@@ -63,6 +62,41 @@ namespace lumbricus
 
 
 
+  std::vector<DirectionSamples::Entry>
+  DirectionSamples::spread_entries(const Point<dim> &X) const
+  {
+    // Of the distance from X.
+    constexpr double closest = 0.5;
+    // More are not looked at.
+    constexpr unsigned int most = 64 * (n_fitted + 1);
+
+    std::vector<Entry> result;
+    for (unsigned int n = n_fitted + 1;
+         n <= most && result.size() <= n_fitted;
+         n *= 4)
+      {
+        const auto found = nearest_entries(X, n);
+        result.clear();
+        for (const Entry &entry : found)
+          {
+            const double least = closest * X.distance(entry.first);
+            if (std::none_of(result.begin(),
+                             result.end(),
+                             [&](const Entry &other) {
+                               return entry.first.distance(other.first) < least;
+                             }))
+              result.push_back(entry);
+            if (result.size() > n_fitted)
+              break;
+          }
+        if (found.size() < n)
+          break;
+      }
+    return result;
+  }
+
+
+
   void
   DirectionSamples::look_at_neighbours()
   {
@@ -86,8 +120,21 @@ namespace lumbricus
               least_alike  = pair;
             }
         }
+    constexpr std::size_t most_looked_at = 1000;
+    const std::size_t     stride         = 1 + entries.size() / most_looked_at;
+    for (std::size_t i = 0; i < entries.size(); i += stride)
+      {
+        const auto around = spread_entries(entries[i].first);
+        farthest_spread =
+          std::max(farthest_spread,
+                   entries[i].first.distance(
+                     around[std::min<std::size_t>(n_neighbours,
+                                                  around.size() - 1)]
+                       .first));
+      }
     if (entries.size() == 1)
-      largest_spacing = 0.5 * std::numeric_limits<double>::max();
+      largest_spacing = farthest_spread =
+        0.5 * std::numeric_limits<double>::max();
     else
       largest_angle =
         std::acos(std::min(1., least_cosine)) * 180. / dealii::numbers::PI;
@@ -130,34 +177,13 @@ namespace lumbricus
 
 
 
-  DirectionSamples::Value
-  DirectionSamples::value(const Point<dim> &where) const
+  std::vector<TensorSample>
+  DirectionSamples::samples_of(const std::vector<Entry> &around,
+                               const Point<dim>         &X) const
   {
-    std::vector<Entry> around      = nearest_entries(where, n_fitted + 1);
-    const Entry        first       = around.front();
-    const Tensor<1, dim> to_where  = where - first.first;
-    const double         distance  = to_where.norm();
-    const Point<dim>     X =
-      distance > largest_spacing ?
-                first.first + largest_spacing / distance * to_where :
-                where;
-    if (distance > largest_spacing)
-      around = nearest_entries(X, n_fitted + 1);
-    const double farthest = X.distance(around.back().first);
-    if (!can_interpolate() ||
-        X.distance(around.front().first) <= same_point * farthest)
-      {
-        double off = 0.;
-        if (!can_interpolate())
-          for (const Entry &other : around)
-            off = std::max(off,
-                           1. - std::abs(directions[first.second] *
-                                         directions[other.second]));
-        return {directions[around.front().second], std::sqrt(2. * off)};
-      }
-
     // The last of all has no next, and all may be as far.
-    const auto is_nearer = [&](const Entry &entry) {
+    const double farthest  = X.distance(around.back().first);
+    const auto   is_nearer = [&](const Entry &entry) {
       return X.distance(entry.first) < (1. - same_point) * farthest;
     };
     const bool   has_next = around.size() > n_fitted &&
@@ -176,9 +202,49 @@ namespace lumbricus
                            dealii::symmetrize(dealii::outer_product(f, f)),
                            std::pow((R - r) / (R * r), 2)});
       }
-    const FittedTensor fitted = fit_tensor(samples);
-    const auto         axes   = dealii::eigenvectors(fitted.A);
-    const double       gap    = axes[0].first - axes[1].first;
+    return samples;
+  }
+
+
+
+  DirectionSamples::Value
+  DirectionSamples::value(const Point<dim> &where) const
+  {
+    std::vector<Entry>   around   = nearest_entries(where, n_fitted + 1);
+    const Entry          first    = around.front();
+    const Tensor<1, dim> to_where = where - first.first;
+    const double         distance = to_where.norm();
+    const bool           is_far   = distance > farthest_spread;
+    const Point<dim>     X =
+      is_far ? first.first + farthest_spread / distance * to_where : where;
+    if (is_far)
+      around = nearest_entries(X, n_fitted + 1);
+    if (!can_interpolate() || X.distance(around.front().first) <=
+                                same_point * X.distance(around.back().first))
+      {
+        double off = 0.;
+        if (!can_interpolate())
+          for (const Entry &other : around)
+            off = std::max(off,
+                           1. - std::abs(directions[first.second] *
+                                         directions[other.second]));
+        return {directions[around.front().second], std::sqrt(2. * off)};
+      }
+
+    std::vector<TensorSample> samples = samples_of(around, X);
+    FittedTensor              fitted  = fit_tensor(samples);
+    if (fitted.n_directions < dim)
+      {
+        const auto others   = samples_of(spread_entries(X), X);
+        const auto of_these = fit_tensor(others);
+        if (of_these.n_directions > fitted.n_directions)
+          {
+            samples = others;
+            fitted  = of_these;
+          }
+      }
+    const auto   axes = dealii::eigenvectors(fitted.A);
+    const double gap  = axes[0].first - axes[1].first;
     if (!(gap >= least_gap))
       return {directions[first.second], 1.};
     double change = 0.;

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "tensor_fit.h"
+
 namespace lumbricus
 {
   /**
@@ -21,7 +23,7 @@ namespace lumbricus
    *   A(Y) = A_0 + sum_k S_k x_k(Y),   least sum_i w_i |A(X_i) - A_i|^2,
    *   w_i = ((R - r_i)/(R r_i))^2,     r_i = |X - X_i| < R,
    *
-   * over the points nearest to X, R the distance of the next, x_k coordinates along
+   * over the 20 points nearest to X, R the distance of the next, x_k coordinates along
    * the principal axes of these points with the weights w_i. So A is exact where f f
    * is linear in X, else the error is of second order in the distance of points; at a
    * point A = A_i, since its weight is infinite there (Lancaster and Salkauskas, Math.
@@ -29,9 +31,11 @@ namespace lumbricus
    *
    * Along an axis across which the points are not apart, or only as far as they are
    * on a curved surface, which is as far as x_k is a quadratic function of the
-   * coordinates before it, nothing says how f changes, and S_k = 0. Of the others S_k
+   * coordinates before it, nothing says how f changes, and S_k = 0. Where that is so
+   * for the nearest points only, as in a wall of many thin layers, where all of them
+   * are on one line through it, others take their place, see spread_entries(). Of the others S_k
    * is that of a fit with this function. Beyond the points the fit goes on for one
-   * spacing() only; with fewer than four points, and where the two largest
+   * farthest_spread only; with fewer than four points, and where the two largest
    * eigenvalues of A are next to each other, f is that of the nearest point.
    */
   class DirectionSamples
@@ -103,6 +107,15 @@ namespace lumbricus
     std::vector<Entry>
     nearest_entries(const dealii::Point<dim> &X, const unsigned int n) const;
 
+    /** Points around @p X, the nearest first, of which no two are closer to each
+     * other than half as far as the farther one is away. */
+    std::vector<Entry>
+    spread_entries(const dealii::Point<dim> &X) const;
+
+    /** What is fitted to @p around, the nearest first, and the next of these. */
+    std::vector<TensorSample>
+    samples_of(const std::vector<Entry> &around, const dealii::Point<dim> &X) const;
+
     void
     look_at_neighbours();
 
@@ -111,6 +124,8 @@ namespace lumbricus
     dealii::RTree<Entry>                tree;
 
     double                                largest_spacing = 0.;
+    /** The distance of the sixth of spread_entries() at some points, the largest. */
+    double                                farthest_spread = 0.;
     std::pair<unsigned int, unsigned int> first_twins;
     std::pair<unsigned int, unsigned int> least_alike;
     double                                largest_angle = 0.;

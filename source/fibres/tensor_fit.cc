@@ -20,7 +20,9 @@ namespace lumbricus
     constexpr double rounding = 1e-10;
     // Points are apart along an axis if this part of their squared distances along it
     // is not that of a curved surface.
-    constexpr double least_part = 1e-2;
+    constexpr double least_part = 0.03;
+    // And if they are so much of the largest of all, squared: coordinates are rounded.
+    constexpr double least_spread = 1e-6;
     // The largest rest over the mean, and more.
     constexpr double safety = 3.;
     // With fewer samples curvature cannot be told from being apart.
@@ -123,7 +125,7 @@ namespace lumbricus
     Values
     Fit::independent_part(const unsigned int k)
     {
-      if (!(spread[k] > rounding * spread[0]))
+      if (!(spread[k] > least_spread * spread[0]))
         return {};
       Values       rest   = remainder(coordinates[k]);
       const double length = product(rest, rest);
@@ -162,6 +164,7 @@ namespace lumbricus
         {
           if (parts[k].empty())
             continue;
+          ++result.n_directions;
           SymmetricTensor<2, dim> slope;
           for (std::size_t i = 0; i < samples.size(); ++i)
             slope += samples[i].weight * parts[k][i] * rest[i];

@@ -26,6 +26,8 @@ namespace lumbricus
     dealii::SymmetricTensor<2, dim> A;
     /** By how much it may be off, see fit_tensor(). */
     double error;
+    /** Along how many axes the samples say how it changes. */
+    unsigned int n_directions = 0;
   };
 
   /**

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <sstream>
 
 #include "../../source/fibres/tensor_fit.h"
@@ -354,13 +353,46 @@ TEST(Fibres, FileAgreesWithHelicalToSecondOrder)
 
 
 
+TEST(Fibres, FileOfManyThinLayersIsInterpolatedAlongThem)
+{
+  // The points nearest to one are all on the line through the wall.
+  const auto            helical = fibres("helical", "set Angle = 60");
+  const double          pi      = dealii::numbers::PI;
+  std::vector<Point<3>> layers, everywhere;
+  for (unsigned int i = 0; i < 16; ++i)
+    for (unsigned int j = 0; j < 12; ++j)
+      for (unsigned int k = 0; k < 60; ++k)
+        {
+          const double a = (i + 0.5) / 16 * pi / 2, r = 1. + 0.1 * (k + 0.5) / 60;
+          layers.emplace_back((j + 0.5) / 12, r * std::cos(a), r * std::sin(a));
+        }
+  for (double a = 0.; a < pi / 2 + 1e-6; a += pi / 2 / 47)
+    for (const double r : {1., 1.03, 1.1})
+      for (const double x : {0.2, 0.5, 0.61})
+        everywhere.emplace_back(x, r * std::cos(a), r * std::sin(a));
+  const TemporaryFile file(samples(*helical, layers));
+  const auto          field =
+    fibres("file", "set File = " + file.name + "\nset Reach = 0.1");
+  const double worst = largest_sine(*helical, *field, everywhere);
+  EXPECT_LT(worst, 0.005);
+  for (const Point<3> &X : everywhere)
+    {
+      const auto f = helical->direction(X), g = field->direction(X);
+      EXPECT_LE(
+        (dealii::outer_product(f, f) - dealii::outer_product(g, g)).norm(),
+        field->error(X));
+    }
+}
+
+
+
 TEST(Fibres, FileOfASurfaceSaysNothingOfTheDepth)
 {
   // The points of one layer are apart across it only as far as it is curved, and
   // fibres beside it are as those in it.
   const auto   helical  = fibres("helical", "set Angle = 30");
   double       previous = 0.;
-  for (const unsigned int n : {6, 12, 24})
+  for (const unsigned int n : {8, 16, 32})
     {
       std::vector<Point<3>> layer, beside;
       for (unsigned int i = 0; i < n; ++i)
@@ -375,7 +407,6 @@ TEST(Fibres, FileOfASurfaceSaysNothingOfTheDepth)
       const TemporaryFile file(samples(*helical, layer));
       const auto          field = fibres("file", "set File = " + file.name);
       const double        worst = largest_sine(*helical, *field, beside);
-      std::cout << "LAYER " << n << " " << worst << std::endl;
       EXPECT_LT(worst, 1.5 / n / n);
       if (previous > 0.)
         {
