@@ -24,6 +24,8 @@ namespace lumbricus
     // How far the largest eigenvalue of A, which are 1, 0, 0 where all fibres have one
     // direction, has to be above the next.
     constexpr double least_gap = 0.1;
+    // What is far from X on a curved surface is no quadratic function any more.
+    constexpr double part_without_doubt = 0.3;
     // Nearer than this, relative to the farthest, is at a point.
     constexpr double same_point = 1e-8;
   } // namespace
@@ -236,8 +238,10 @@ namespace lumbricus
     if (fitted.n_directions < dim)
       {
         const auto others   = samples_of(spread_entries(X), X);
-        const auto of_these = fit_tensor(others);
-        if (of_these.n_directions > fitted.n_directions)
+        const auto of_these = fit_tensor(others, part_without_doubt);
+        // With few of them curvature cannot be told from being apart.
+        if (others.size() >= n_fitted / 2 &&
+            of_these.n_directions > fitted.n_directions)
           {
             samples = others;
             fitted  = of_these;

@@ -18,10 +18,8 @@ namespace lumbricus
 
     // Less of a squared length than this, relative to what it was, is none.
     constexpr double rounding = 1e-10;
-    // Points are apart along an axis if this part of their squared distances along it
-    // is not that of a curved surface.
-    constexpr double least_part = 0.03;
-    // And if they are so much of the largest of all, squared: coordinates are rounded.
+    // Points are apart along an axis if they are so much of the most along any, squared:
+    // coordinates are rounded.
     constexpr double least_spread = 1e-6;
     // The largest rest over the mean, and more.
     constexpr double safety = 3.;
@@ -33,7 +31,7 @@ namespace lumbricus
     class Fit
     {
     public:
-      explicit Fit(const std::vector<TensorSample> &samples);
+      Fit(const std::vector<TensorSample> &samples, const double least_part);
 
       FittedTensor
       at_origin();
@@ -60,6 +58,7 @@ namespace lumbricus
       independent_part(const unsigned int k);
 
       const std::vector<TensorSample>     &samples;
+      const double                         least_part;
       Tensor<1, dim>                       center;
       double                               sum = 0.;
       std::array<Tensor<1, dim>, dim>      axes;
@@ -71,8 +70,9 @@ namespace lumbricus
 
 
 
-    Fit::Fit(const std::vector<TensorSample> &samples)
+    Fit::Fit(const std::vector<TensorSample> &samples, const double least_part)
       : samples(samples)
+      , least_part(least_part)
     {
       for (const TensorSample &sample : samples)
         {
@@ -196,8 +196,8 @@ namespace lumbricus
 
 
   FittedTensor
-  fit_tensor(const std::vector<TensorSample> &samples)
+  fit_tensor(const std::vector<TensorSample> &samples, const double least_part)
   {
-    return Fit(samples).at_origin();
+    return Fit(samples, least_part).at_origin();
   }
 } // namespace lumbricus

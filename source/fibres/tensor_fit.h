@@ -38,10 +38,13 @@ namespace lumbricus
    *
    *   3 k (|c| + s)^2,   s^2 the mean of rho^2 with weights,
    *
-   * or less: 3 since the mean of the rest falls short of the largest.
+   * or less: 3 since the mean of the rest falls short of the largest. Samples are apart
+   * along an axis if at least @p least_part of their squared distances along it is not
+   * that of a curved surface.
    */
   FittedTensor
-  fit_tensor(const std::vector<TensorSample> &samples);
+  fit_tensor(const std::vector<TensorSample> &samples,
+             const double                     least_part = 0.03);
 } // namespace lumbricus
 
 #endif
