@@ -2,8 +2,15 @@
 """A mesh of cubes as a file of Gmsh, for tests that read one."""
 
 import itertools
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent /
+                       "parameters" / "balloon"))
+import shell  # noqa: E402
 
 HEXAHEDRON, QUADRILATERAL, TETRAHEDRON, HEXAHEDRON_20 = 5, 3, 4, 17
+HEXAHEDRON_27, QUADRILATERAL_9, TETRAHEDRON_10 = 12, 10, 11
 # Corners of a cell in the order of a hexahedron of Gmsh, and of its faces.
 CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
            (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
@@ -32,7 +39,7 @@ class Mesh:
         return self.names.index((dimension, name)) + 1
 
     def add(self, kind, name, nodes):
-        dimension = 2 if kind == QUADRILATERAL else 3
+        dimension = 2 if kind in (QUADRILATERAL, QUADRILATERAL_9) else 3
         tag = self.tag(dimension, name) if name else 0
         self.elements.append((kind, tag, list(nodes)))
         return self
@@ -58,6 +65,22 @@ class Mesh:
         lines += [" ".join(map(str, [i + 1, kind, 2, tag, 1, *nodes]))
                   for i, (kind, tag, nodes) in enumerate(self.elements)]
         return "\n".join(map(str, lines)) + "\n" + self.end
+
+
+def second_order(*n_nodes):
+    """Cubes of unit edge in a row along x, each with so many nodes; all of one place
+    are one. The faces at x = 0 are the surface 'begin'."""
+    mesh = Mesh(())
+    mesh.nodes = []
+    places = {}
+    for i, n in enumerate(n_nodes):
+        nodes = [places.setdefault((i + a / 2, b / 2, c / 2), len(places) + 1)
+                 for a, b, c in shell.HEXAHEDRON[:n]]
+        mesh.add(shell.KINDS[n][0], "wall", nodes)
+        if i == 0 and n == 27:
+            mesh.add(QUADRILATERAL_9, "begin", shell.face_of(nodes, (0, 0)))
+    mesh.nodes = [list(place) for place in places]
+    return mesh
 
 
 def boxes(*cavities, left_out=(), symmetric=False, wall=None):

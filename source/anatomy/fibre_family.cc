@@ -89,6 +89,14 @@ namespace lumbricus
 
 
 
+  ExponentialEnergy
+  FibreFamily::stiffening(const ReferencePoint &reference) const
+  {
+    return {reference.J_v * k1, k2};
+  }
+
+
+
   double
   FibreFamily::energy(const Tensor<2, dim> &F,
                       const ReferencePoint &reference,
@@ -96,10 +104,7 @@ namespace lumbricus
   {
     const double E =
       dealii::symmetrize(transpose(F) * F) * structure(reference, fibre) - 1.;
-    if (E <= 0.)
-      return 0.;
-    return reference.J_v * k1 *
-           (k2 == 0. ? 0.5 * E * E : std::expm1(k2 * E * E) / (2. * k2));
+    return E <= 0. ? 0. : stiffening(reference).value(E);
   }
 
 
@@ -115,19 +120,6 @@ namespace lumbricus
     const double E = dealii::symmetrize(transpose(F) * F) * M - 1.;
     if (E <= 0.)
       return;
-    const double         growth = reference.J_v * k1 * std::exp(k2 * E * E);
-    const double         first  = growth * E;
-    const double         second = growth * (1. + 2. * k2 * E * E);
-    const Tensor<2, dim> FM     = F * Tensor<2, dim>(M);
-    response.P += 2. * first * FM;
-    if (!with_tangent)
-      return;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int J = 0; J < dim; ++J)
-        for (unsigned int k = 0; k < dim; ++k)
-          for (unsigned int L = 0; L < dim; ++L)
-            response.A[dim * i + J][dim * k + L] +=
-              4. * second * FM[i][J] * FM[k][L] +
-              (i == k ? 2. * first * M[J][L] : 0.);
+    stiffening(reference).add_stress(F, M, E, with_tangent, response);
   }
 } // namespace lumbricus

@@ -165,14 +165,6 @@ namespace lumbricus
 
 
 
-  bool
-  Muscle::fibres_are_sampled() const
-  {
-    return fibre_choice->is_sampled();
-  }
-
-
-
   double
   Muscle::activation(const LoadTime           &t,
                      const unsigned int        segment,

@@ -19,6 +19,11 @@ namespace lumbricus
                "<family>",
                "Families of elastic fibres that strengthen the law in tension, "
                "each a section with direction and stiffness.")
+    , couplings("Fibre couplings",
+                "Names",
+                "<coupling>",
+                "What holds two families of elastic fibres at their angle, each a "
+                "section with the names of the two.")
   {}
 
 
@@ -47,6 +52,7 @@ namespace lumbricus
                       "section in Muscles; empty for a passive tissue.",
                       NameList());
     families.declare_parameters(prm);
+    couplings.declare_parameters(prm);
   }
 
 
@@ -54,8 +60,9 @@ namespace lumbricus
   bool
   Tissue::extend_parameters(dealii::ParameterHandler &prm, const Extent extent)
   {
-    const bool law = law_choice.extend_parameters(prm, extent);
-    return families.extend_parameters(prm, extent) || law;
+    const bool law      = law_choice.extend_parameters(prm, extent);
+    const bool coupling = couplings.extend_parameters(prm, extent);
+    return families.extend_parameters(prm, extent) || law || coupling;
   }
 
 
@@ -66,6 +73,7 @@ namespace lumbricus
     law_choice.check_parameters();
     check_no_name_twice("Muscles", names_of_muscles);
     families.check_parameters();
+    couplings.check_parameters();
   }
 
 
@@ -78,6 +86,13 @@ namespace lumbricus
       families[k].initialize(section + "/" + families.section_name() + "/" +
                                families.name(k),
                              geometry);
+
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < families.size(); ++k)
+      names.push_back(families.name(k));
+    for (std::size_t k = 0; k < couplings.size(); ++k)
+      couplings[k].find_families(section + "/" + couplings.section_name(),
+                                 names);
   }
 
 
@@ -158,6 +173,14 @@ namespace lumbricus
 
 
 
+  const NamedList<FibreCoupling> &
+  Tissue::fibre_couplings() const
+  {
+    return couplings;
+  }
+
+
+
   std::vector<dealii::Tensor<1, dim>>
   Tissue::elastic_fibres(const dealii::Point<dim> &X) const
   {
@@ -211,6 +234,12 @@ namespace lumbricus
     const std::size_t first = reference.fibres.size() - families.size();
     for (std::size_t k = 0; k < families.size(); ++k)
       psi += families[k].energy(F, reference, reference.fibres[first + k]);
+    for (std::size_t k = 0; k < couplings.size(); ++k)
+      psi += couplings[k].energy(
+        F,
+        reference,
+        reference.fibres[first + couplings[k].family(0)],
+        reference.fibres[first + couplings[k].family(1)]);
     return psi;
   }
 
@@ -235,6 +264,13 @@ namespace lumbricus
     for (std::size_t k = 0; k < families.size(); ++k)
       families[k].add_stress(
         F, reference, reference.fibres[first + k], with_tangent, response);
+    for (std::size_t k = 0; k < couplings.size(); ++k)
+      couplings[k].add_stress(F,
+                              reference,
+                              reference.fibres[first + couplings[k].family(0)],
+                              reference.fibres[first + couplings[k].family(1)],
+                              with_tangent,
+                              response);
     for (std::size_t k = 0; k < actions.size(); ++k)
       actions[k]->add_stress(F, point.fibres[k], with_tangent, response);
   }

@@ -10,16 +10,15 @@
 
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
-#include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
-#include <limits>
+#include <memory>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "direction_samples.h"
 
 namespace lumbricus
 {
@@ -46,8 +45,8 @@ namespace lumbricus
 
 
   /**
-   * f(X) = d_i/|d_i| with the vector d_i given at the point X_i nearest to X;
-   * the points are meant to be the centres of cells.
+   * f(X) in between points X_i where the directions are those of the vectors d_i,
+   * see DirectionSamples.
    */
   class FibresFromFile : public FibreField
   {
@@ -61,15 +60,16 @@ namespace lumbricus
     dealii::Tensor<1, dim>
     direction(const dealii::Point<dim> &X) const override;
 
-    bool
-    is_sampled() const override
+    double
+    error(const dealii::Point<dim> &X) const override
     {
-      return true;
+      return samples->error(X);
     }
 
-  private:
-    using Entry = std::pair<dealii::Point<dim>, unsigned int>;
+    std::string
+    warning() const override;
 
+  private:
     void
     read();
 
@@ -77,10 +77,9 @@ namespace lumbricus
     void
     add(const std::vector<std::string> &words, const unsigned int number);
 
-    /** How far from the nearest point there still is a direction, unless the
-     * user says. Throws ExcInput where two points are the same. */
-    double
-    natural_reach() const;
+    /** Throws ExcInput where two points are the same. */
+    void
+    check_points() const;
 
     /** The error about the parameter 'File'. */
     ExcInput
@@ -89,19 +88,22 @@ namespace lumbricus
       return ExcInput(about_parameter(path + "File", what));
     }
 
-    /** The message on a point that is beyond the reach. */
+    /** The message on a point that is beyond the reach; point number @p nearest is
+     * at the distance @p distance. */
     std::string
-    too_far(const dealii::Point<dim> &X, const Entry &nearest) const;
+    too_far(const dealii::Point<dim> &X,
+            const unsigned int        nearest,
+            const double              distance) const;
 
     std::string file_name;
     double      given_reach = 0.;
 
-    std::string                         path; ///< that of the section and '/'
-    std::vector<Entry>                  points;
-    std::vector<dealii::Tensor<1, dim>> directions;
-    std::vector<unsigned int>           line_numbers;
-    dealii::RTree<Entry>                tree;
-    double                              reach = 0.;
+    std::string                             path; ///< of the section, and '/'
+    std::vector<dealii::Point<dim>>         points;
+    std::vector<dealii::Tensor<1, dim>>     directions;
+    std::vector<unsigned int>               line_numbers;
+    std::unique_ptr<const DirectionSamples> samples;
+    double                                  reach = 0.;
   };
 
 
@@ -114,9 +116,11 @@ namespace lumbricus
                       "[path] A text file with six numbers in a line, "
                       "separated by commas or blanks: a point x, y, z in mm "
                       "and a vector along the fibres there, of any length but "
-                      "zero. The fibres at a point are those of the nearest "
-                      "point of the file, so give the centres of all cells of "
-                      "the muscle. The first line may be 'x, y, z, fx, fy, "
+                      "zero; its sign means nothing. At a point of the file "
+                      "the fibres are as given, between points they are "
+                      "interpolated, with an error of second order in their "
+                      "distance; the centres of all cells of the muscle will "
+                      "do. The first line may be 'x, y, z, fx, fy, "
                       "fz'; what follows a # is left out. A relative path "
                       "starts at the working directory.",
                       dealii::Patterns::FileName());
@@ -136,9 +140,9 @@ namespace lumbricus
   {
     path = section + "/";
     read();
-    tree                 = dealii::pack_rtree(points);
-    const double natural = natural_reach();
-    reach                = given_reach > 0. ? given_reach : natural;
+    samples = std::make_unique<const DirectionSamples>(points, directions);
+    check_points();
+    reach = given_reach > 0. ? given_reach : 2. * samples->spacing();
   }
 
 
@@ -205,61 +209,72 @@ namespace lumbricus
     if (!(d.norm() > 0.))
       fail("has a vector of length zero, which is no direction. Give a vector "
            "along the fibres.");
-    points.emplace_back(X, directions.size());
+    points.push_back(X);
     directions.push_back(d / d.norm());
     line_numbers.push_back(number);
   }
 
 
 
-  double
-  FibresFromFile::natural_reach() const
+  void
+  FibresFromFile::check_points() const
   {
-    // In a mesh of flat cells the nearest point is too near to be a measure.
-    constexpr unsigned int n_neighbours = 6;
-    if (points.size() == 1)
-      return std::numeric_limits<double>::max();
-    double             largest = 0.;
-    std::vector<Entry> nearest;
-    for (const Entry &point : points)
-      {
-        nearest.clear();
-        tree.query(boost::geometry::index::nearest(point.first,
-                                                   n_neighbours + 1),
-                   std::back_inserter(nearest));
-        for (const Entry &other : nearest)
-          {
-            const double distance = point.first.distance(other.first);
-            AssertThrow(
-              distance > 0. || other.second == point.second,
-              wrong_file(": " + file_name + ", lines " +
-                         std::to_string(
-                           line_numbers[std::min(other.second, point.second)]) +
-                         " and " +
-                         std::to_string(
-                           line_numbers[std::max(other.second, point.second)]) +
-                         ", have the same point. Remove one of them."));
-            largest = std::max(largest, distance);
-          }
-      }
-    return 2. * largest;
+    const auto [first, second] = samples->twins();
+    if (second >= points.size())
+      return;
+    AssertThrow(false,
+                wrong_file(": " + file_name + ", lines " +
+                           std::to_string(line_numbers[first]) + " and " +
+                           std::to_string(line_numbers[second]) +
+                           ", have the same point. Remove one of them."));
+  }
+
+
+
+  std::string
+  FibresFromFile::warning() const
+  {
+    constexpr double   too_different = 45.; // degrees
+    std::ostringstream what;
+    what.precision(3);
+    const auto [pair, angle] = samples->most_apart();
+    if (points.size() > 1 && !samples->can_interpolate())
+      what << "has " << points.size()
+           << " points, which are too few to interpolate: fibres are those of "
+              "the nearest point. Give at least four.";
+    else if (angle > too_different)
+      what << "has directions that are " << angle
+           << " degrees apart at points next to each other, in lines "
+           << line_numbers[pair.first] << " and " << line_numbers[pair.second]
+           << ": between such points fibres turn from one to the other, or are "
+              "those of the nearest. Give more points there, or a file for each "
+              "of two muscles.";
+    else if (points.size() > 1 && samples->n_directions_apart() < dim)
+      what << "has all points "
+           << (samples->n_directions_apart() == 1 ? "on a line" : "in a plane")
+           << ": fibres beside it are those in it.";
+    return what.str().empty() ?
+             "" :
+             about_parameter(path + "File",
+                             ": the file '" + file_name + "' " + what.str());
   }
 
 
 
   std::string
   FibresFromFile::too_far(const dealii::Point<dim> &X,
-                          const Entry              &nearest) const
+                          const unsigned int        nearest,
+                          const double              distance) const
   {
     std::ostringstream message;
     message << ": the file '" << file_name
             << "' lacks the part of the muscle around the point "
             << point_text(X) << ". Its nearest point, "
-            << point_text(nearest.first) << " in line "
-            << line_numbers[nearest.second] << ", is "
-            << X.distance(nearest.first) << " mm away, and the reach is "
-            << reach << " mm. Add a line for every cell of the muscle, or set '"
-            << path << "Reach' if the fibres there are as in that line.";
+            << point_text(points[nearest]) << " in line "
+            << line_numbers[nearest] << ", is " << distance
+            << " mm away, and the reach is " << reach
+            << " mm. Add a line for every cell of the muscle, or set '" << path
+            << "Reach' if the fibres there are as in that line.";
     return message.str();
   }
 
@@ -268,18 +283,16 @@ namespace lumbricus
   dealii::Tensor<1, dim>
   FibresFromFile::direction(const dealii::Point<dim> &X) const
   {
-    std::vector<Entry> nearest;
-    tree.query(boost::geometry::index::nearest(X, 1),
-               std::back_inserter(nearest));
-    AssertThrow(X.distance(nearest.front().first) <= reach,
-                wrong_file(too_far(X, nearest.front())));
-    return directions[nearest.front().second];
+    const auto [nearest, distance] = samples->nearest(X);
+    if (distance > reach)
+      AssertThrow(false, wrong_file(too_far(X, nearest, distance)));
+    return samples->direction(X);
   }
 
 
 
   static const Register<FibreField, FibresFromFile>
     fibres_from_file("file",
-                     "along the vector that a file gives for the nearest "
-                     "point, a vector per cell.");
+                     "along the vectors that a file gives at points, "
+                     "interpolated between them.");
 } // namespace lumbricus

@@ -11,6 +11,7 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <memory>
 
@@ -127,7 +128,9 @@ namespace lumbricus
     prm.add_parameter("File",
                       choices.file_name,
                       "[path] A .msh file of Gmsh, as text in the format 2.2 "
-                      "or 4.1, with hexahedra of eight nodes. A relative path "
+                      "or 4.1, with hexahedra of first or of second order: of "
+                      "eight nodes, whose faces are spanned by their vertices, "
+                      "or of 20 or 27, whose faces are curved. A relative path "
                       "starts at the working directory. A physical volume is "
                       "named by its tissue and the number of its segment, as "
                       "in 'wall 2' (1 if there is no number), a physical "
@@ -218,6 +221,20 @@ namespace lumbricus
           if (from.round_faces.count(key) > 0)
             face->set_all_manifold_ids(cylindrical_manifold_id);
         }
+    for (std::size_t c = 0; c < from.curved_cells.size(); ++c)
+      {
+        // Cells are numbered as they were given; a face has the shape of either.
+        const dealii::Triangulation<dim>::cell_iterator cell(&triangulation,
+                                                             0,
+                                                             c);
+        const dealii::types::manifold_id id = cylindrical_manifold_id + 1 + c;
+        Assert(from.curved_cells[c].shape.corner(0).distance(
+                 cell->center()) < cell->diameter(),
+               dealii::ExcInternalError());
+        cell->set_all_manifold_ids(id);
+        triangulation.set_manifold(
+          id, QuadraticManifold(from.curved_cells[c].shape));
+      }
     if (from.round_faces.empty())
       return;
     const RoundAxis axis(path + "/Round axis", choices.round_axis);

@@ -2,6 +2,7 @@
 #include "mesh_measures.h"
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <set>
 #include <tuple>
@@ -65,20 +66,26 @@ namespace lumbricus
 
 
 
-    // The mean x of a face, or NaN where it is not in a plane x = const.
+    // The mean x of a face, or NaN where it is not in a plane x = const. The shape
+    // of a curved cell is @p curved.
     double
     plane_of_face(const Vertices              &vertices,
                   const dealii::CellData<dim> &cell,
+                  const CurvedCell            *curved,
                   const unsigned int           f,
                   const double                 tolerance)
     {
-      Extent1d extent;
-      double   mean = 0.;
-      for (const unsigned int v : face_key(cell, f))
+      Extent1d      extent;
+      double        mean = 0.;
+      const FaceKey key  = face_key(cell, f);
+      for (const unsigned int v : key)
         {
           extent.include(vertices[v][0]);
           mean += vertices[v][0] / 4;
         }
+      if (curved != nullptr)
+        for (const dealii::Point<dim> &X : curved->face_nodes(key))
+          extent.include(X[0]);
       return extent.end - extent.begin < tolerance ?
                mean :
                std::numeric_limits<double>::quiet_NaN();
@@ -94,7 +101,8 @@ namespace lumbricus
                 const unsigned int             n_segments,
                 const std::vector<CavityWall> &cavities,
                 const std::map<FaceKey, dealii::types::boundary_id>
-                  &boundary_ids)
+                                              &boundary_ids,
+                const std::vector<CurvedCell> &curved_cells)
   {
     Extent1d body;
     for (const auto &X : vertices)
@@ -106,8 +114,9 @@ namespace lumbricus
       });
 
     std::vector<Along> segments(n_segments);
-    for (const auto &cell : cells)
+    for (std::size_t c = 0; c < cells.size(); ++c)
       {
+        const auto       &cell    = cells[c];
         const Region      region  = Region::of(cell.material_id);
         const TissueName &tissue  = tissues[region.tissue];
         Along            &segment = segments[region.segment];
@@ -119,7 +128,12 @@ namespace lumbricus
           }
         for (unsigned int f = 0; f < 6; ++f)
           {
-            const double x = plane_of_face(vertices, cell, f, tolerance);
+            const double x =
+              plane_of_face(vertices,
+                            cell,
+                            curved_cells.empty() ? nullptr : &curved_cells[c],
+                            f,
+                            tolerance);
             if (std::isnan(x))
               continue;
             if (tissue.wall_layer)
@@ -133,16 +147,25 @@ namespace lumbricus
       {
         Along &segment = segments[wall.segment];
         segment.middle_planes.clear();
-        for (const auto &[key, id] : boundary_ids)
-          if (id == wall.boundary)
-            for (const unsigned int v : key)
-              {
-                segment.liquid.include(vertices[v][0]);
-                for (const unsigned int w : key)
-                  if (v < w &&
-                      std::abs(vertices[v][0] - vertices[w][0]) < tolerance)
-                    segment.middle_planes.insert(vertices[v][0]);
-              }
+        for (std::size_t c = 0; c < cells.size(); ++c)
+          for (unsigned int f = 0; f < 6; ++f)
+            {
+              const FaceKey key = face_key(cells[c], f);
+              const auto    id  = boundary_ids.find(key);
+              if (id == boundary_ids.end() || id->second != wall.boundary)
+                continue;
+              for (const unsigned int v : key)
+                {
+                  const double x = vertices[v][0];
+                  segment.liquid.include(x);
+                  for (const unsigned int w : key)
+                    if (v < w && std::abs(x - vertices[w][0]) < tolerance &&
+                        (curved_cells.empty() ||
+                         std::abs(x - curved_cells[c].node_between(v, w)[0]) <
+                           tolerance))
+                      segment.middle_planes.insert(x);
+                }
+            }
       }
 
     std::vector<SegmentSections> sections;

@@ -10,6 +10,7 @@
 #include <map>
 #include <vector>
 
+#include "curved_cell.h"
 #include "mesh_faces.h"
 
 namespace lumbricus
@@ -24,7 +25,8 @@ namespace lumbricus
    * quarter of the extent away: of the wall layers for the ends, of the liquid
    * for the middle (of the wall, where there is no liquid in the body), or those
    * of edges at a cavity. Where there is no such plane, no mesh faces lie in the
-   * section. Cavities are where @p boundary_ids, those of faces, say.
+   * section. Curved faces and edges count where their other nodes are in the plane,
+   * too. Cavities are where @p boundary_ids, those of faces, say.
    */
   std::vector<SegmentSections>
   mesh_sections(const std::vector<dealii::Point<dim>>    &vertices,
@@ -33,7 +35,8 @@ namespace lumbricus
                 const unsigned int                        n_segments,
                 const std::vector<CavityWall>            &cavities = {},
                 const std::map<FaceKey, dealii::types::boundary_id>
-                  &boundary_ids = {});
+                                              &boundary_ids = {},
+                const std::vector<CurvedCell> &curved_cells = {});
 
   /**
    * Three vertices for Geometry::support_points(), of the wall where there is

@@ -29,8 +29,11 @@ namespace lumbricus
         {{2, 3, "triangles of higher order"},
          {20, 21, 22, 23, 24, 25, 42, 43, 44, 45, 46,  52, 53,
           54, 55, 56, 68, 85, 135, 138}},
-        {{2, 4, "quadrilaterals"}, {MshElementType::quadrilateral}},
-        {{2, 4, "quadrilaterals of second order"}, {10, 16}},
+        {{2, 4, "quadrilaterals", 4}, {MshElementType::quadrilateral}},
+        {{2, 4, "quadrilaterals of nine nodes", 9},
+         {MshElementType::quadrilateral_9}},
+        {{2, 4, "quadrilaterals of eight nodes", 8},
+         {MshElementType::quadrilateral_8}},
         {{2, 4, "quadrilaterals of higher order"},
          {36, 37, 38, 39, 40, 41, 47, 48, 49, 50, 51, 57, 58, 59, 60, 61, 86}},
         {{2, 0, "polygons"}, {34, 69}},
@@ -40,8 +43,9 @@ namespace lumbricus
         {{3, 4, "tetrahedra of higher order"},
          {30, 31, 32, 33, 71, 72, 73, 74, 75, 79, 80,
           81, 82, 83, 87, 136, 137, 139}},
-        {{3, 8, "hexahedra"}, {MshElementType::hexahedron}},
-        {{3, 8, "hexahedra of second order"}, {12, 17}},
+        {{3, 8, "hexahedra", 8}, {MshElementType::hexahedron}},
+        {{3, 8, "hexahedra of 27 nodes", 27}, {MshElementType::hexahedron_27}},
+        {{3, 8, "hexahedra of 20 nodes", 20}, {MshElementType::hexahedron_20}},
         {{3, 8, "hexahedra of third order"}, {92}},
         {{3, 8, "hexahedra of fourth order"}, {93}},
         {{3, 8, "hexahedra of higher order"},
@@ -96,7 +100,7 @@ namespace lumbricus
 
 
   std::string
-  UnusableVolumes::what_is_wrong(const std::size_t n_hexahedra) const
+  UnusableVolumes::what_is_wrong(const std::string &hexahedra) const
   {
     if (n.empty())
       return "";
@@ -107,13 +111,12 @@ namespace lumbricus
         all += (all.empty() ? "" : ", ") + std::to_string(number) + " " + name;
         linear = linear || name.find("order") == std::string::npos;
       }
-    if (n_hexahedra > 0)
-      all += " beside " + std::to_string(n_hexahedra) +
-             " hexahedra of eight nodes";
-    return " has " + all +
-           (linear ? "; only hexahedra can be used. " + how_to_mesh :
-                     "; only hexahedra of eight nodes can be used. Set "
-                     "'Mesh.ElementOrder = 1;'. Round surfaces become round by "
-                     "the parameter 'Round surfaces'.");
+    if (!hexahedra.empty())
+      all += " beside " + hexahedra;
+    return " has " + all + "; only hexahedra can be used" +
+           (linear ? ". " + how_to_mesh :
+                     " (of first or second order). Set 'Mesh.ElementOrder' to "
+                     "1 or 2. " +
+                       how_to_mesh);
   }
 } // namespace lumbricus

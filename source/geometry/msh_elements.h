@@ -12,8 +12,16 @@ namespace lumbricus
   {
     /** Of a quadrilateral of four nodes. */
     static constexpr int quadrilateral = 3;
+    /** Of a quadrilateral of nine nodes. */
+    static constexpr int quadrilateral_9 = 10;
+    /** Of a quadrilateral of eight nodes. */
+    static constexpr int quadrilateral_8 = 16;
     /** Of a hexahedron of eight nodes. */
     static constexpr int hexahedron = 5;
+    /** Of a hexahedron of 27 nodes. */
+    static constexpr int hexahedron_27 = 12;
+    /** Of a hexahedron of 20 nodes. */
+    static constexpr int hexahedron_20 = 17;
 
     /** From 0, a point, to 3, a volume. */
     int dimension;
@@ -21,6 +29,8 @@ namespace lumbricus
     unsigned int n_corners;
     /** In the plural. */
     std::string name;
+    /** How many nodes it has, where the program can use the type; else zero. */
+    unsigned int n_nodes = 0;
 
     /** That of number @p type, or nullptr where Gmsh has none. */
     static const MshElementType *
@@ -37,10 +47,10 @@ namespace lumbricus
     void
     add(const MshElementType &type);
 
-    /** What is wrong with a file that has @p n_hexahedra besides, and what to
-     * do, as the end of a sentence about the file; empty if there are none. */
+    /** What is wrong with a file that has @p hexahedra besides, and what to do, as
+     * the end of a sentence about the file; empty if there are none. */
     std::string
-    what_is_wrong(const std::size_t n_hexahedra) const;
+    what_is_wrong(const std::string &hexahedra) const;
 
     /** How to get hexahedra from Gmsh, for messages. */
     static const std::string how_to_mesh;

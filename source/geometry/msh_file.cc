@@ -79,13 +79,22 @@ namespace lumbricus
                   const MshElementType &type,
                   const unsigned int    tag);
 
-      template <std::size_t n>
-      std::array<unsigned int, n>
-      get_vertices();
+      std::vector<unsigned int>
+      get_vertices(const unsigned int n);
+
+      void
+      add_hexahedron(const std::size_t                number,
+                     const MshElementType            &type,
+                     const unsigned int               tag,
+                     const std::vector<unsigned int> &of_gmsh);
 
       void
       check_number(const std::size_t                number,
+                   const MshElementType            &type,
                    const std::vector<unsigned int> &vertices);
+
+      void
+      sort_out_faces();
 
       void
       check_elements() const;
@@ -103,6 +112,10 @@ namespace lumbricus
       /** The vertices of the elements that are kept, by their numbers. */
       std::unordered_map<std::size_t, std::vector<unsigned int>> elements;
       UnusableVolumes                                            unusable;
+      /** How many hexahedra there are of so many nodes. */
+      std::map<unsigned int, std::size_t> n_hexahedra;
+      /** The kind of each of the faces. */
+      std::vector<const MshElementType *> kinds_of_faces;
     };
 
 
@@ -313,11 +326,10 @@ namespace lumbricus
 
 
 
-    template <std::size_t n>
-    std::array<unsigned int, n>
-    Reader::get_vertices()
+    std::vector<unsigned int>
+    Reader::get_vertices(const unsigned int n)
     {
-      std::array<unsigned int, n> vertices;
+      std::vector<unsigned int> vertices(n);
       for (unsigned int &v : vertices)
         v = nodes.get_vertex(in);
       return vertices;
@@ -327,6 +339,7 @@ namespace lumbricus
 
     void
     Reader::check_number(const std::size_t                number,
+                         const MshElementType            &type,
                          const std::vector<unsigned int> &vertices)
     {
       auto sorted = vertices;
@@ -338,7 +351,7 @@ namespace lumbricus
       // A face in two physical surfaces is there once for each.
       const auto entry = elements.insert({number, sorted});
       if (!entry.second &&
-          (sorted.size() == 8 || entry.first->second != sorted))
+          (type.dimension == 3 || entry.first->second != sorted))
         in.fail_in_line("has element " + std::to_string(number) +
                         " a second time. Every element has a number of its "
                         "own, and is in one physical group: write the file "
@@ -352,31 +365,36 @@ namespace lumbricus
                         const MshElementType &type,
                         const unsigned int    tag)
     {
-      if (&type == MshElementType::find(MshElementType::hexahedron))
+      if (type.dimension == 3 && type.n_nodes > 0)
         {
-          const auto            of_gmsh = get_vertices<8>();
-          dealii::CellData<dim> cell;
-          for (unsigned int v = 0; v < 8; ++v)
-            cell.vertices[v] = of_gmsh[gmsh_vertex[v]];
-          cell.material_id = tag;
+          const auto of_gmsh = get_vertices(type.n_nodes);
           in.need_end_of_line();
-          check_number(number, {of_gmsh.begin(), of_gmsh.end()});
-          file.cells.push_back(cell);
+          check_number(number, type, of_gmsh);
+          add_hexahedron(number, type, tag, of_gmsh);
         }
-      else if (&type == MshElementType::find(MshElementType::quadrilateral))
+      else if (type.dimension == 2 && type.n_nodes > 0)
         {
-          MshFile::Face face;
-          face.vertices = get_vertices<4>();
+          const auto all = get_vertices(type.n_nodes);
           in.need_end_of_line();
           if (tag == 0)
             return;
-          check_number(number, {face.vertices.begin(), face.vertices.end()});
+          check_number(number, type, all);
+          MshFile::Face face;
+          std::copy_n(all.begin(), face.vertices.size(), face.vertices.begin());
           std::sort(face.vertices.begin(), face.vertices.end());
           face.tag = tag;
           file.faces.push_back(face);
+          kinds_of_faces.push_back(&type);
         }
       else if (type.dimension == 2 && type.n_corners > 0 && tag > 0)
-        file.other_faces.push_back({get_vertices<3>(), tag, type.name});
+        {
+          const auto         corners = get_vertices(3);
+          MshFile::OtherFace face;
+          std::copy(corners.begin(), corners.end(), face.corners.begin());
+          face.tag  = tag;
+          face.kind = type.name;
+          file.other_faces.push_back(face);
+        }
       else if (type.dimension == 3)
         unusable.add(type);
     }
@@ -384,11 +402,45 @@ namespace lumbricus
 
 
     void
+    Reader::add_hexahedron(const std::size_t                number,
+                           const MshElementType            &type,
+                           const unsigned int               tag,
+                           const std::vector<unsigned int> &of_gmsh)
+    {
+      dealii::CellData<dim> cell;
+      for (unsigned int v = 0; v < 8; ++v)
+        cell.vertices[v] = of_gmsh[gmsh_vertex[v]];
+      cell.material_id = tag;
+      file.cells.push_back(cell);
+      file.numbers.push_back(number);
+      ++n_hexahedra[type.n_nodes];
+      if (of_gmsh.size() == 8)
+        return;
+      std::vector<dealii::Point<dim>> points;
+      for (const unsigned int v : of_gmsh)
+        points.push_back(nodes.points()[v]);
+      file.complete = of_gmsh.size() == QuadraticCell::n_nodes;
+      file.shapes.push_back(QuadraticCell::from_gmsh(points));
+    }
+
+
+
+    void
     Reader::check_elements() const
     {
-      const std::string wrong = unusable.what_is_wrong(file.cells.size());
+      std::string kinds;
+      for (const auto &[n_nodes, n] : n_hexahedra)
+        kinds += (kinds.empty() ? "" : " beside ") + std::to_string(n) +
+                 " hexahedra of " +
+                 (n_nodes == 8 ? "eight" : std::to_string(n_nodes)) + " nodes";
+      const std::string wrong = unusable.what_is_wrong(kinds);
       if (!wrong.empty())
         in.fail(wrong);
+      if (n_hexahedra.size() > 1)
+        in.fail(" has " + kinds +
+                ", which do not fit together. Mesh all volumes with one "
+                "'Mesh.ElementOrder' and one "
+                "'Mesh.SecondOrderIncomplete'.");
       if (file.cells.empty())
         in.fail(" has no volume elements. Mesh the volumes (gmsh -3), and put "
                 "each into a 'Physical Volume': Gmsh leaves out what is in no "
@@ -435,10 +487,38 @@ namespace lumbricus
 
 
 
+    void
+    Reader::sort_out_faces()
+    {
+      // By the nodes of a hexahedron, those of its faces.
+      static const std::map<unsigned int, unsigned int> fitting = {
+        {8, 4}, {27, 9}, {20, 8}};
+      const unsigned int n_nodes =
+        fitting.at(n_hexahedra.begin()->first);
+      std::vector<MshFile::Face> fit;
+      for (std::size_t i = 0; i < file.faces.size(); ++i)
+        if (kinds_of_faces[i]->n_nodes == n_nodes)
+          fit.push_back(file.faces[i]);
+        else
+          {
+            MshFile::OtherFace other;
+            std::copy_n(file.faces[i].vertices.begin(),
+                        other.corners.size(),
+                        other.corners.begin());
+            other.tag  = file.faces[i].tag;
+            other.kind = kinds_of_faces[i]->name;
+            file.other_faces.push_back(other);
+          }
+      file.faces = fit;
+    }
+
+
+
     MshFile
     Reader::result()
     {
       check_elements();
+      sort_out_faces();
       keep_used_vertices();
       return std::move(file);
     }

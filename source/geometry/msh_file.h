@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mesh_faces.h"
+#include "quadratic_cell.h"
 
 namespace lumbricus
 {
@@ -28,7 +29,7 @@ namespace lumbricus
       unsigned int tag;
     };
 
-    /** What is no quadrilateral of four nodes, in a physical surface. */
+    /** What is no face of the file's hexahedra, in a physical surface. */
     struct OtherFace
     {
       /** Three of its corners, by their numbers in MshFile::vertices. */
@@ -43,6 +44,14 @@ namespace lumbricus
     std::vector<dealii::Point<dim>> vertices;
     /** Hexahedra in deal.II's numbering; the material id is the tag. */
     std::vector<dealii::CellData<dim>> cells;
+    /** The number of each in the file. */
+    std::vector<std::size_t> numbers;
+    /** The shape of each where the file is of second order; else empty. Its
+     * corners are as in cells. */
+    std::vector<QuadraticCell> shapes;
+    /** Whether these have nodes of their own on faces, of which each has nine
+     * then, and eight otherwise. */
+    bool complete = false;
     /** Quadrilaterals that are in a physical surface. */
     std::vector<Face> faces;
     /** Other elements that are in a physical surface; a vertex that is none of
@@ -58,8 +67,8 @@ namespace lumbricus
 
 
   /**
-   * Read a text file of Gmsh, format 2.x or 4.1, with hexahedra of eight
-   * nodes. Throws ExcInput naming @p parameter, the file and, where there is
+   * Read a text file of Gmsh, format 2.x or 4.1, with hexahedra of eight, 20 or
+   * 27 nodes, of one kind. Throws ExcInput naming @p parameter, the file and, where there is
    * one, the line.
    */
   MshFile

@@ -6,6 +6,7 @@
 #include <deal.II/base/bounding_box.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <sstream>
 
@@ -99,13 +100,24 @@ namespace lumbricus
           const unsigned int d     = plane.direction;
           double             least = std::numeric_limits<double>::max();
           double             most  = -least;
+          const auto         include = [&](const dealii::Point<dim> &X) {
+            least = std::min(least, X[d]);
+            most  = std::max(most, X[d]);
+          };
           for (const auto &[key, id] : mesh.boundary_ids)
             if (id == plane.boundary)
               for (const unsigned int v : key)
-                {
-                  least = std::min(least, mesh.vertices[v][d]);
-                  most  = std::max(most, mesh.vertices[v][d]);
-                }
+                include(mesh.vertices[v]);
+          for (std::size_t c = 0; c < mesh.curved_cells.size(); ++c)
+            for (unsigned int f = 0; f < 6; ++f)
+              {
+                const FaceKey key = face_key(mesh.cells[c], f);
+                const auto    id  = mesh.boundary_ids.find(key);
+                if (id != mesh.boundary_ids.end() &&
+                    id->second == plane.boundary)
+                  for (const auto &X : mesh.curved_cells[c].face_nodes(key))
+                    include(X);
+              }
           const double lower = box.lower_bound(d), upper = box.upper_bound(d);
           const double tolerance = 1e-6 * (upper - lower);
           const std::string axis(1, "xyz"[d]);
@@ -176,13 +188,17 @@ namespace lumbricus
                          dealii::numbers::invalid_unsigned_int) ==
                corners.end();
       };
+      const std::string n_nodes = file.shapes.empty() ? "four" :
+                                  file.complete     ? "nine" :
+                                                      "eight";
       for (const auto &face : file.other_faces)
         if (of_body(face.corners))
           messages.fail(" has " + face.kind + " in its physical surface '" +
                         name_of(face.tag) + "', as at " +
                         point_text(mesh.vertices[face.corners[0]]) +
-                        ", but faces of hexahedra are quadrilaterals of four "
-                        "nodes. Mesh the surface with 'Recombine', together "
+                        ", but faces of its hexahedra are quadrilaterals of " +
+                        n_nodes +
+                        " nodes. Mesh the surface with 'Recombine', together "
                         "with the volume.");
 
       std::set<std::string> names, with_faces;
@@ -273,6 +289,10 @@ namespace lumbricus
                           choices.round_surfaces,
                           names);
 
+      if (!choices.round_surfaces.empty() && !mesh.curved_cells.empty())
+        messages.fail("Round surfaces",
+                      " has hexahedra of second order, whose nodes say how "
+                      "round surfaces are. Leave the list empty.");
       const RoundAxis             axis(messages.section + "/Round axis",
                            choices.round_axis);
       const std::set<std::string> round(choices.round_surfaces.begin(),

@@ -10,6 +10,8 @@
 #include <deal.II/base/utilities.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <tuple>
 
 #include "mesh_checks.h"
@@ -83,15 +85,25 @@ namespace lumbricus
       mesh.cells    = file.cells;
       for (auto &X : mesh.vertices)
         X *= choices.scale;
+      for (std::size_t c = 0; c < file.shapes.size(); ++c)
+        {
+          mesh.curved_cells.push_back(
+            {{}, file.shapes[c], file.numbers[c]});
+          CurvedCell &cell = mesh.curved_cells.back();
+          std::copy_n(file.cells[c].vertices.begin(), 8, cell.vertices.begin());
+          cell.shape.scale(choices.scale);
+        }
       dealii::GridTools::invert_cells_with_negative_measure(mesh.vertices,
                                                             mesh.cells);
 
       // Names first: that they are missing or misspelt is the likelier mistake.
       name_tissues();
       check_segments();
-      const std::string wrong = what_is_wrong(mesh.vertices, mesh.cells);
-      if (!wrong.empty())
-        messages.fail(wrong);
+      for (const std::string &wrong :
+           {what_is_wrong(mesh.vertices, mesh.cells),
+            what_is_wrong(mesh.curved_cells, mesh.cells)})
+        if (!wrong.empty())
+          messages.fail(wrong);
       check_liquids();
       name_boundaries(file, choices, messages, mesh);
 
@@ -100,7 +112,8 @@ namespace lumbricus
                                     mesh.tissues,
                                     *segments.rbegin(),
                                     mesh.cavities,
-                                    mesh.boundary_ids);
+                                    mesh.boundary_ids,
+                                    mesh.curved_cells);
       mesh.support_points =
         mesh_support_points(mesh.vertices, mesh.cells, mesh.tissues);
       const dealii::BoundingBox<dim> box(mesh.vertices);

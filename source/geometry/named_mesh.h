@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "curved_cell.h"
 #include "mesh_faces.h"
 
 namespace lumbricus
@@ -51,6 +52,8 @@ namespace lumbricus
     std::vector<dealii::Point<dim>> vertices;
     /** With the material id of their Region. */
     std::vector<dealii::CellData<dim>> cells;
+    /** The shape of each, where the file says more than vertices; else empty. */
+    std::vector<CurvedCell> curved_cells;
 
     /** As Geometry::tissues(), in the order of the tags of their volumes. */
     std::vector<TissueName> tissues;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "chain_problem.h"
 
+#include <lumbricus/anatomy/fibre_warnings.h>
 #include <lumbricus/anatomy/stiffness_ratio.h>
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
@@ -55,7 +56,8 @@ namespace lumbricus
         << (dealii::Utilities::MPI::n_mpi_processes(comm) == 1 ? "" : "s")
         << "\n"
         << parameters.unit_check.warnings(parameters.anatomy)
-        << StiffnessRatio(parameters.anatomy).warning() << table_notes;
+        << StiffnessRatio(parameters.anatomy).warning()
+        << fibre_warnings(parameters.anatomy) << table_notes;
   }
 
 

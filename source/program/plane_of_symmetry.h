@@ -7,11 +7,9 @@
 #include <lumbricus/discretization/same_cell.h>
 
 #include <deal.II/base/point.h>
-#include <deal.II/base/tensor.h>
 #include <deal.II/base/types.h>
 #include <deal.II/fe/fe_values.h>
 
-#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -63,9 +61,9 @@ namespace lumbricus
 
 
 
-  /** Call @p function(region, X, depth) at points X of @p plane, in this rank's
-   * cells, out of which the vector depth leads. An ExcInput of it is of no
-   * direction right there: fibres in cells are asked elsewhere. */
+  /** Call @p function(region, X) at points X of @p plane, in this rank's cells. An
+   * ExcInput of it is of no direction right there: fibres in cells are asked
+   * elsewhere. */
   template <typename Function>
   void
   for_each_point_of(const PlaneOfSymmetry &plane,
@@ -79,48 +77,17 @@ namespace lumbricus
     for_each_boundary_face(space, [&](const auto &cell, const auto &face) {
       if (face->boundary_id() != plane.boundary)
         return;
-      dealii::Tensor<1, dim> depth;
-      for (const unsigned int v : cell->vertex_indices())
-        {
-          const double distance = cell->vertex(v)[plane.direction] - plane.c;
-          if (std::abs(distance) > std::abs(depth[plane.direction]))
-            depth[plane.direction] = distance;
-        }
       face_values.reinit(mesh_cell(cell), face);
       for (const unsigned int q : face_values.quadrature_point_indices())
         try
           {
             dealii::Point<dim> X = face_values.quadrature_point(q);
             X[plane.direction]   = plane.c;
-            function(Region::of(cell->material_id()), X, depth);
+            function(Region::of(cell->material_id()), X);
           }
         catch (const ExcInput &)
           {}
     });
-  }
-
-
-
-  /** By how much f x f may be off on the plane where f = @p direction(X) is that of
-   * the nearest sample: half of what it changes from @p X up to the next sample along
-   * @p depth, the way out of the cell. Where cells are bent that may be nearest
-   * a while behind it only. */
-  template <typename Direction>
-  double
-  sampling_error(const Direction              &direction,
-                        const dealii::Point<dim>     &X,
-                        const dealii::Tensor<1, dim> &depth)
-  {
-    const auto f      = direction(X);
-    double     change = 0.;
-    for (const double part : {0.125, 0.25, 0.5, 1., 1.5})
-      if (change == 0.)
-        {
-          const auto g = direction(X + part * depth);
-          change =
-            (dealii::outer_product(f, f) - dealii::outer_product(g, g)).norm();
-        }
-    return 0.5 * change;
   }
 } // namespace lumbricus
 

@@ -41,7 +41,7 @@ namespace lumbricus
       const std::vector<const Muscle *> *muscles;
       std::vector<Tensor<1, dim>>        mixed; ///< e . M t, of every muscle
       std::vector<double>                angle; ///< with the plane [degrees]
-      std::vector<double>                slack; ///< that sampling may need
+      std::vector<double>                slack; ///< what mixed may be off by
     };
 
 
@@ -76,30 +76,12 @@ namespace lumbricus
 
 
 
-    // By how much 3/2 f x f may be off on the plane where f is that of a sample
-    // at X. The way out of the cell is @p depth.
-    double
-    slack_of_sample(const Muscle         &muscle,
-                    const Point<dim>     &X,
-                    const Tensor<1, dim> &depth)
-    {
-      return 1.5 *
-             sampling_error(
-               [&](const Point<dim> &Y) { return muscle.fibre_direction(Y); },
-               X,
-               depth);
-    }
-
-
-
     // Set what there is of the muscles at a point: of the entries of 3/2 f x f
     // those that mix e and the plane have to vanish. @return whether all are
     // symmetric however much they contract; ExcInput where fibres have no
     // direction.
     bool
-    look_at_fibres(MusclePoint          &point,
-                   const unsigned int    d,
-                   const Tensor<1, dim> &depth)
+    look_at_fibres(MusclePoint &point, const unsigned int d)
     {
       bool symmetric = true;
       for (const Muscle *muscle : *point.muscles)
@@ -107,10 +89,7 @@ namespace lumbricus
           const auto f     = muscle->fibre_direction(point.X);
           auto       mixed = 1.5 * f[d] * f;
           mixed[d]         = 0.;
-          const double slack =
-            muscle->fibres_are_sampled() ?
-              slack_of_sample(*muscle, point.X, depth) :
-              0.;
+          const double slack = 1.5 * muscle->fibres().error(point.X);
           symmetric = symmetric && mixed.norm() <= tolerance + slack;
           point.mixed.push_back(mixed);
           point.slack.push_back(slack);
@@ -128,16 +107,14 @@ namespace lumbricus
                     const Anatomy    &anatomy)
     {
       std::vector<MusclePoint> points;
-      const auto               look = [&](const Region          region,
-                                         const Point<dim>     &X,
-                                         const Tensor<1, dim> &depth) {
+      const auto look = [&](const Region region, const Point<dim> &X) {
         if (anatomy.muscles_of(region.tissue).empty())
           return;
         MusclePoint point;
         point.X       = X;
         point.segment = region.segment + 1;
         point.muscles = &anatomy.muscles_of(region.tissue);
-        if (!look_at_fibres(point, plane.direction, depth))
+        if (!look_at_fibres(point, plane.direction))
           points.push_back(point);
       };
       for_each_point_of(plane, space, look);

@@ -6,7 +6,7 @@ import math
 
 import pytest
 from cube_mesh import (HEXAHEDRON, HEXAHEDRON_20, QUADRILATERAL,
-                       TETRAHEDRON, Mesh)
+                       TETRAHEDRON, TETRAHEDRON_10, Mesh, second_order)
 from lumbricus_run import run
 from mesh_cases import FIBRES, FILE, SECTION, start
 from mistakes import check_one_message, names, on_ranks, run_all
@@ -15,6 +15,26 @@ def without_names():
     mesh = Mesh()
     mesh.names = []
     return mesh
+
+
+def with_gap():
+    """The second cube has a middle of its own in the common face, beside that of the
+    first."""
+    mesh = second_order(27, 27)
+    kind, tag, nodes = mesh.elements[2]
+    old = nodes[22]
+    mesh.nodes.append([1.1, *mesh.nodes[old - 1][1:]])
+    mesh.elements[2] = (kind, tag, [len(mesh.nodes) if node == old else node
+                                    for node in nodes])
+    return mesh
+
+
+def bulging():
+    """The middle of the face at x = 0 is before it."""
+    mesh = second_order(27)
+    mesh.names = [(d, name.replace("begin", "symmetry x"))
+                  for d, name in mesh.names]
+    return mesh.move(mesh.elements[1][2][8], -0.05, 0.5, 0.5)
 
 
 def only(kind, n_nodes):
@@ -170,9 +190,36 @@ MISTAKES = [
       "'Mesh.RecombineAll = 1;'", "'Mesh.SubdivisionAlgorithm = 2;'"]),
     ("tetrahedra beside hexahedra", Mesh().add(TETRAHEDRON, "cap", range(1, 5)),
      [], ["has 1 tetrahedra"]),
-    ("second order", only(HEXAHEDRON_20, 12), [],
-     [FILE, "hexahedra of second order", "'Mesh.ElementOrder = 1;'",
-      "'Round surfaces'"]),
+    ("too few nodes for second order", only(HEXAHEDRON_20, 12), [],
+     [FILE, "line 25", "has no number where one belongs"]),
+    ("tetrahedra of second order", only(TETRAHEDRON_10, 10), [],
+     [FILE, "has 1 tetrahedra of second order; only hexahedra can be used (of "
+      "first or second order)", "'Mesh.ElementOrder' to 1 or 2"]),
+    ("two orders", second_order(27, 8), [],
+     [FILE, "has 1 hexahedra of eight nodes beside 1 hexahedra of 27 nodes, "
+      "which do not fit together", "'Mesh.ElementOrder'"]),
+    ("two kinds of second order", second_order(20, 27), [],
+     [FILE, "has 1 hexahedra of 20 nodes beside 1 hexahedra of 27 nodes",
+      "'Mesh.SecondOrderIncomplete'"]),
+    ("faces of first order at cells of second", second_order(20).surface(
+        "begin", 1, 4, 8, 5), [],
+     [FILE, "has quadrilaterals in its physical surface 'begin'",
+      "its hexahedra are quadrilaterals of eight nodes"]),
+    # Node 9 is in the middle of the first edge of the first cube, and 26 in that
+    # of its face at x = 1.
+    ("a folded curved cell", second_order(27).move(9, 0.9, 0, 0), [],
+     [FILE, "has 1 curved cells that are folded or flat; the first is element 1, "
+      "at (", "'Mesh.HighOrderOptimize = 2;'"]),
+    ("a face that is curved in two ways", with_gap(), [],
+     [FILE, "has the elements 1 and 3, whose common face is curved in two ways, "
+      "at (1, 0.5, 0.5)", "'Mesh.ElementOrder'"]),
+    ("round surfaces of curved cells", second_order(27, 27),
+     [SECTION + "Round surfaces=begin"],
+     [f"'{SECTION}Round surfaces'", "hexahedra of second order",
+      "Leave the list empty"]),
+    ("a plane of symmetry between straight corners", bulging(), [],
+     [FILE, "the plane of mirror symmetry 'symmetry x' that is not flat",
+      "from x = -0.05 to 0"]),
     ("surfaces only", only(QUADRILATERAL, 4), [],
      [FILE, "has no volume elements", "'Physical Volume'"]),
     ("volume without a name", Mesh().add(HEXAHEDRON, "", range(5, 13)), [],

@@ -7,7 +7,7 @@ the run ended with exit code 0. Of a node that was there twice the last was
 taken, behind a number whatever followed, and physical surfaces were forgotten
 where their elements are no faces of the hexahedra."""
 import pytest
-from cube_mesh import HEXAHEDRON, HEXAHEDRON_20, TETRAHEDRON, Mesh
+from cube_mesh import HEXAHEDRON, TETRAHEDRON_10, TETRAHEDRON, Mesh
 from mesh_cases import FILE, SECTION, start
 from mistakes import check_one_message, names, on_ranks, run_all
 
@@ -163,9 +163,9 @@ MISTAKES = [
      [FILE, "has 2 prisms, 1 pyramids, 1 tetrahedra beside 2 hexahedra of "
       "eight nodes; only hexahedra can be used", "'Mesh.RecombineAll = 1;'"]),
     ("mixed mesh of second order",
-     Mesh().add(HEXAHEDRON_20, "wall", range(1, 13)), [],
-     [FILE, "has 1 hexahedra of second order beside 2 hexahedra of eight "
-      "nodes", "'Mesh.ElementOrder = 1;'"]),
+     Mesh().add(TETRAHEDRON_10, "wall", range(1, 11)), [],
+     [FILE, "has 1 tetrahedra of second order beside 2 hexahedra of eight "
+      "nodes", "'Mesh.ElementOrder' to 1 or 2"]),
     # The plane of symmetry was forgotten, and the body was half of it.
     ("surface of triangles", with_surface(TRIANGLE, "symmetry y", [1, 5, 8]),
      [], [FILE, "has triangles in its physical surface 'symmetry y', as at "

@@ -60,6 +60,20 @@ def elastic(*families):
     return result
 
 
+def coupled(*pairs):
+    """Couplings of these pairs of families of the wall, each with a stiffness."""
+    section = "Tissues/wall/Fibre couplings"
+    result = [f"{section}/Names=" + ", ".join(
+        f"c{i}" for i in range(len(pairs)))]
+    for i, (one, other, a) in enumerate(pairs):
+        result += [f"{section}/c{i}/Between={one}, {other}",
+                   f"{section}/c{i}/a={a}"]
+    return result
+
+
+CROSSED = elastic(("left", 40, 0.1), ("right", -40, 0.1), ("along", 0, 0.3))
+
+
 def guccione(angle):
     return ["Tissues/wall/Law=Guccione", "Tissues/wall/Guccione/Fibres=helical",
             f"Tissues/wall/Guccione/helical/Angle={angle}"]
@@ -113,6 +127,13 @@ MISTAKES = [
     ("two elastic helices against one", CHAIN,
      elastic(("left", 40, 0.1), ("more", 40, 0.1), ("right", -40, 0.1)),
      ["The elastic fibres 'left'"]),
+    ("a coupling with one of two crossed families", CHAIN,
+     CROSSED + coupled(("left", "right", 0.1), ("along", "left", 0.2)),
+     ["The fibre coupling 'c1' of the tissue 'wall' (at", "not symmetric to the "
+      "plane of symmetry"]),
+    ("couplings of two stiffnesses", CHAIN,
+     CROSSED + coupled(("left", "along", 0.1), ("along", "right", 0.2)),
+     ["The fibre coupling 'c0' of the tissue 'wall' (at"]),
     ("a law whose fibres are helices", CHAIN, guccione(30),
      ["The elastic fibres of the law Guccione of the tissue 'wall' (at 30"]),
     ("elastic fibres of a file", BAR,
@@ -180,6 +201,8 @@ SYMMETRIC = {
     "a helix without strength at the planes": pulling(("left", -45, "y*z")),
     "crossed elastic helices, and one family along": elastic(
         ("left", 40, 0.1), ("right", -40, 0.1), ("along", 0, 0.3)),
+    "couplings that are mirror images": CROSSED + coupled(
+        ("left", "along", 0.1), ("along", "right", 0.1), ("left", "right", 1)),
     "a law whose fibres are rings": guccione(90),
     "the mirror image of elastic fibres is meant": elastic(
         ("left", 40, 0.1)) + ["Boundary conditions/Check symmetry=false"],
@@ -214,6 +237,26 @@ def test_fibres_of_cells_are_not_those_of_the_plane(tmp_path):
     settings = muscles("wall", ("m", "file", [f"File={tmp_path}/ring.csv",
                                               "Reach=9"], "1 - 0.1*t"))
     run_well(CHAIN, tmp_path / "ring", settings, options=["--check"])
+
+    # The finer the points, the less goes without saying: rings are taken, a helix of
+    # three degrees is not.
+    for angle, is_ring in ((3, False), (0, True)):
+        points = []
+        for x in (0.1 * i for i in range(30)):
+            for r in (1.5, 1.6, 1.7, 1.8, 1.9, 2):
+                for k in range(33):
+                    a = math.pi / 64 * k
+                    y, z = r * math.cos(a), r * math.sin(a)
+                    points.append(f"{x} {y} {z} {r * math.tan(math.radians(angle))}"
+                                 f" {-z} {y}\n")
+        (tmp_path / "fine.csv").write_text("".join(points))
+        fine = muscles("wall", ("m", "file", [f"File={tmp_path}/fine.csv",
+                                              "Reach=9"], "1 - 0.1*t"))
+        if is_ring:
+            run_well(CHAIN, tmp_path / "fine", fine, options=["--check"])
+        else:
+            check_one_message(run(CHAIN, tmp_path / "fine", fine),
+                              ["The muscle 'm' (fibres at ", "not symmetric to"])
 
     (tmp_path / "ring.csv").write_text(
         "".join(line.replace(" 0 -", " 1.75 -") for line in lines))

@@ -108,6 +108,43 @@ def test_uniaxial_laws(tmp_path, name, stretch, ranks):
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
+def test_simple_shear_of_holzapfel_and_ogden(tmp_path, ranks):
+    """Fibres f along x, sheets s along y, and what holds both at their right angle:
+    x = X + g Y has I4s = 1 + g^2, I8 = f . C s = g, and
+
+        sigma_xy = a g + 2 k1 g^3 exp(k2 g^4) + a_fs g exp(b_fs g^2),
+        sigma_xx - sigma_zz = a g^2 + 2 k1 g^4 exp(k2 g^4)
+                              + 2 a_fs g^2 exp(b_fs g^2)."""
+    a, k1, k2, a_fs, b_fs, g = 0.2, 0.3, 0.7, 0.15, 1.4, 0.6
+    block = "Geometry/block/"
+    coupling = "Tissues/bar/Fibre couplings"
+    settings = [block + "Symmetry=", block + "Cells=2, 2, 2", f"Tissues/bar/Neo-Hooke/a={a}",
+                f"{FIBRES}/Names=f, s", f"{FIBRES}/f/Fibres=longitudinal",
+                f"{FIBRES}/s/Fibres=direction",
+                f"{FIBRES}/s/direction/Direction=0, -3, 0",
+                f"{FIBRES}/s/k1={k1}", f"{FIBRES}/s/k2={k2}",
+                f"{coupling}/Names=fs", f"{coupling}/fs/Between=s, f",
+                f"{coupling}/fs/a={a_fs}", f"{coupling}/fs/b={b_fs}",
+                "Output/Points=0.5, 0.5, 0.5"]
+    # The last side is free: nothing pulls there.
+    sides = ["x min", "x max", "y min", "y max", "z min"]
+    settings.append("Boundary conditions/Names=" + ", ".join(sides))
+    for side in sides:
+        section = f"Boundary conditions/{side}/"
+        settings += [section + f"Boundary={side}", section + "Type=displacement",
+                     section + "displacement/Components=x, y, z",
+                     section + f"displacement/Displacement={g}*y*t; 0; 0"]
+    result = run_well(HERE / "bar.prm", tmp_path, settings, ranks)
+    point = result.table("points.csv")[-1]
+    sheet = 2 * k1 * g**2 * math.exp(k2 * g**4)
+    shear = a_fs * g * math.exp(b_fs * g**2)
+    assert point["sxy"] == pytest.approx(a * g + sheet * g + shear, rel=1e-8)
+    assert point["sxx"] - point["szz"] == pytest.approx(
+        a * g**2 + sheet * g**2 + 2 * g * shear, rel=1e-8)
+    assert point["syy"] - point["szz"] == pytest.approx(sheet, rel=1e-8)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("share", [0.88, 0.96])
 def test_gent_says_that_it_is_about_to_lock(tmp_path, share, ranks):
     """Once, from (I1 - 3)/J_m = 0.9 on."""

@@ -11,11 +11,13 @@
 #include <cmath>
 #include <sstream>
 
+#include "../../source/fibres/tensor_fit.h"
 #include "read_plugin.h"
 #include "temporary_file.h"
 
 using namespace lumbricus;
 using dealii::Point;
+using dealii::SymmetricTensor;
 using dealii::Tensor;
 
 namespace
@@ -150,7 +152,7 @@ TEST(Fibres, WrongParametersAreErrorsThatNameThem)
 
 
 
-TEST(Fibres, FileGivesTheVectorOfTheNearestPoint)
+TEST(Fibres, FileGivesTheVectorOfTheNearestOfThreePoints)
 {
   const TemporaryFile file("# A comment, and a line of names.\n"
                        "x, y, z, fx, fy, fz\n"
@@ -162,41 +164,292 @@ TEST(Fibres, FileGivesTheVectorOfTheNearestPoint)
   expect_equal(field->direction(Point<3>(0.1, 0.2, 0.3)), Point<3>(1, 0, 0));
   expect_equal(field->direction(Point<3>(0.6, 0.4, 0)), Point<3>(0, 0.6, -0.8));
   expect_equal(field->direction(Point<3>(-1, 1.4, 0)), Point<3>(0, 0, -1));
+  for (const std::string part : {"'Muscles/biceps/file/File'", "has 3 points",
+                                 "too few to interpolate", "at least four"})
+    EXPECT_TRUE(contains(field->warning(), part)) << field->warning();
 }
 
 
 
-TEST(Fibres, FileAgreesWithHelicalTheFinerTheNearer)
+namespace
 {
-  const auto helical  = fibres("helical", "set Angle = 30");
-  double     previous = 1.;
-  for (const unsigned int n : {8, 32})
+  // A file of the directions of a field at points, of both signs in turn.
+  std::string
+  samples(const FibreField &field, const std::vector<Point<3>> &at)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    double sign = 1.;
+    for (const Point<3> &X : at)
+      {
+        text << X << " " << sign * field.direction(X) << "\n";
+        sign = -sign;
+      }
+    return text.str();
+  }
+
+
+
+  // Scattered in a cube of unit edge, the same everywhere.
+  std::vector<Point<3>>
+  scattered(const unsigned int n)
+  {
+    std::vector<Point<3>> result;
+    for (unsigned int i = 1; i <= n; ++i)
+      {
+        const auto part = [i](const double step) {
+          return std::fmod(i * step, 1.);
+        };
+        result.emplace_back(part(0.8191725134),
+                            part(0.6710436067),
+                            part(0.5497004779));
+      }
+    return result;
+  }
+
+
+
+  // The sine of the largest angle between two fields at points.
+  double
+  largest_sine(const FibreField            &one,
+               const FibreField            &other,
+               const std::vector<Point<3>> &at)
+  {
+    double largest = 0.;
+    for (const Point<3> &X : at)
+      largest = std::max(largest,
+                         cross_product_3d(one.direction(X), other.direction(X))
+                           .norm());
+    return largest;
+  }
+} // namespace
+
+
+
+TEST(Fibres, FitOfALinearTensorIsExact)
+{
+  // Points in a block, in a sheet a fiftieth as thick, and in two layers of a tube.
+  for (const unsigned int kind : {0, 1, 2})
     {
-      std::ostringstream text;
-      text.precision(16);
+      const auto tensor_at = [](const Point<3> &X) {
+        SymmetricTensor<2, 3> A;
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = i; j < 3; ++j)
+            A[i][j] = std::sin(1. + 3 * i + j) + std::cos(2. * i + j) * X[0] -
+                      std::sin(1. * i - j) * X[1] + (0.3 + i * j) * X[2];
+        return A;
+      };
+      std::vector<TensorSample> samples;
+      const Point<3>            X(0.4, 0.6, 0.01);
+      for (Point<3> Y : scattered(20))
+        {
+          if (kind == 1)
+            Y[2] /= 50.;
+          else if (kind == 2)
+            {
+              const double r = Y[2] < 0.5 ? 1. : 1.1;
+              Y = Point<3>(Y[0], r * std::sin(0.7 * Y[1]), r * std::cos(0.7 * Y[1]));
+            }
+          samples.push_back({Y - X, tensor_at(Y), 1. / (Y - X).norm_square()});
+        }
+      const FittedTensor fit = fit_tensor(samples);
+      EXPECT_NEAR((fit.A - tensor_at(X)).norm(), 0., 1e-12) << kind;
+      EXPECT_NEAR(fit.error, 0., 1e-12) << kind;
+    }
+}
+
+
+
+TEST(Fibres, FileOfOneDirectionHasItEverywhere)
+{
+  const auto one = fibres("direction", "set Direction = 1, -2, 3");
+  for (const unsigned int n : {1, 2, 4, 9, 100})
+    {
+      const TemporaryFile file(samples(*one, scattered(n)));
+      const auto          field =
+        fibres("file", "set File = " + file.name + "\nset Reach = 100");
+      EXPECT_LT(largest_sine(*one, *field, points), 1e-13);
+      EXPECT_LT(largest_sine(*one, *field, scattered(50)), 1e-13);
+      for (const Point<3> &X : scattered(200))
+        EXPECT_LT(field->error(X), 1e-10);
+      if (n > 4)
+        {
+          EXPECT_EQ(field->warning(), "");
+        }
+    }
+}
+
+
+
+TEST(Fibres, FileIsExactAtItsPointsAndSmoothBesideThem)
+{
+  const auto          helical = fibres("helical", "set Angle = 50");
+  const auto          at      = scattered(300);
+  const TemporaryFile file(samples(*helical, at));
+  const auto          field = fibres("file", "set File = " + file.name);
+  EXPECT_LT(largest_sine(*helical, *field, at), 1e-14);
+  for (const Point<3> &X : at)
+    {
+      EXPECT_EQ(field->error(X), 0.);
+      const Point<3> beside = X + Point<3>(1e-7, -2e-7, 1e-7);
+      EXPECT_LT(
+        cross_product_3d(field->direction(X), field->direction(beside)).norm(),
+        1e-4);
+    }
+}
+
+
+
+TEST(Fibres, FileAgreesWithHelicalToSecondOrder)
+{
+  // On the centres of cells of a quarter of a tube, whose surface is half a cell
+  // beyond them.
+  const auto   helical  = fibres("helical", "set Angle = 30");
+  const double pi       = dealii::numbers::PI;
+  double       previous = 0.;
+  for (const unsigned int n : {8, 16, 32})
+    {
+      std::vector<Point<3>> centers;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int k = 0; k < n / 4; ++k)
+            {
+              const double a = (i + 0.5) / n * pi / 2;
+              const double r = 1. + 0.4 * (k + 0.5) / (n / 4);
+              centers.emplace_back(1.5 * (j + 0.5) / n,
+                                   r * std::cos(a),
+                                   r * std::sin(a));
+            }
+      std::vector<Point<3>> everywhere;
+      for (double a = 0.; a < pi / 2 + 1e-6; a += pi / 2 / 47)
+        for (double r = 1.; r < 1.41; r += 0.1)
+          for (double x = 0.; x <= 1.5; x += 0.5 / 3)
+            everywhere.emplace_back(x, r * std::cos(a), r * std::sin(a));
+      const TemporaryFile file(samples(*helical, centers));
+      const auto          field = fibres("file", "set File = " + file.name);
+      EXPECT_EQ(field->warning(), "");
+      const double worst = largest_sine(*helical, *field, everywhere);
+      double       said = 0.;
+      for (const Point<3> &X : everywhere)
+        {
+          const auto f = helical->direction(X), g = field->direction(X);
+          const double off =
+            (dealii::outer_product(f, f) - dealii::outer_product(g, g)).norm();
+          const double error = field->error(X);
+          EXPECT_LE(off, error + 1e-14) << X;
+          said = std::max(said, error);
+        }
+      // What it says of its error is not too much either.
+      EXPECT_LT(said, 12. * worst);
+      if (previous > 0.)
+        {
+          EXPECT_LT(worst, previous / 3.3);
+          EXPECT_GT(worst, previous / 6.);
+        }
+      previous = worst;
+    }
+  EXPECT_LT(previous, 2e-3);
+}
+
+
+
+TEST(Fibres, FileOfManyThinLayersIsInterpolatedAlongThem)
+{
+  // The points nearest to one are all on the line through the wall.
+  const auto            helical = fibres("helical", "set Angle = 60");
+  const double          pi      = dealii::numbers::PI;
+  std::vector<Point<3>> layers, everywhere;
+  for (unsigned int i = 0; i < 16; ++i)
+    for (unsigned int j = 0; j < 12; ++j)
+      for (unsigned int k = 0; k < 60; ++k)
+        {
+          const double a = (i + 0.5) / 16 * pi / 2, r = 1. + 0.1 * (k + 0.5) / 60;
+          layers.emplace_back((j + 0.5) / 12, r * std::cos(a), r * std::sin(a));
+        }
+  for (double a = 0.; a < pi / 2 + 1e-6; a += pi / 2 / 47)
+    for (const double r : {1., 1.03, 1.1})
+      for (const double x : {0.2, 0.5, 0.61})
+        everywhere.emplace_back(x, r * std::cos(a), r * std::sin(a));
+  const TemporaryFile file(samples(*helical, layers));
+  const auto          field =
+    fibres("file", "set File = " + file.name + "\nset Reach = 0.1");
+  const double worst = largest_sine(*helical, *field, everywhere);
+  EXPECT_LT(worst, 0.005);
+  for (const Point<3> &X : everywhere)
+    {
+      const auto f = helical->direction(X), g = field->direction(X);
+      EXPECT_LE(
+        (dealii::outer_product(f, f) - dealii::outer_product(g, g)).norm(),
+        field->error(X));
+    }
+}
+
+
+
+TEST(Fibres, FileOfASurfaceSaysNothingOfTheDepth)
+{
+  // The points of one layer are apart across it only as far as it is curved, and
+  // fibres beside it are as those in it.
+  const auto   helical  = fibres("helical", "set Angle = 30");
+  double       previous = 0.;
+  for (const unsigned int n : {8, 16, 32})
+    {
+      std::vector<Point<3>> layer, beside;
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
           {
-            const double   a = (i + 0.5) / n * dealii::numbers::PI / 2;
-            const Point<3> X((j + 0.5) / n, std::cos(a), std::sin(a));
-            text << X << " " << 7. * helical->direction(X) << "\n";
+            const double a = (i + 0.5) / n * dealii::numbers::PI / 2;
+            layer.emplace_back((j + 0.5) / n, std::cos(a), std::sin(a));
           }
-      const TemporaryFile file(text.str());
-      const auto      field = fibres("file", "set File = " + file.name);
-      double          worst = 0.;
-      for (double a = 0.01; a < 1.57; a += 0.01)
-        for (double x = 0.; x <= 1.; x += 0.1)
-          {
-            const Point<3> X(x, 1.1 * std::cos(a), 1.1 * std::sin(a));
-            worst =
-              std::max(worst,
-                       (field->direction(X) - helical->direction(X)).norm());
-          }
-      // Half a cell away: an angle of pi/4/n.
-      EXPECT_LT(worst, 0.8 / n);
-      EXPECT_LT(worst, 0.5 * previous);
+      for (double a = 0.; a < 1.57; a += 0.03)
+        for (const double r : {1. - 0.7 / n, 1., 1. + 0.7 / n})
+          beside.emplace_back(0.37, r * std::cos(a), r * std::sin(a));
+      const TemporaryFile file(samples(*helical, layer));
+      const auto          field = fibres("file", "set File = " + file.name);
+      const double        worst = largest_sine(*helical, *field, beside);
+      EXPECT_LT(worst, 1.5 / n / n);
+      if (previous > 0.)
+        {
+          EXPECT_LT(worst, previous / 3.);
+        }
       previous = worst;
     }
+}
+
+
+
+TEST(Fibres, FileWithDirectionsThatContradictWarns)
+{
+  std::string text;
+  for (unsigned int i = 0; i < 4; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      for (unsigned int k = 0; k < 3; ++k)
+        text += std::to_string(i) + " " + std::to_string(j) + " " +
+                std::to_string(k) + (i < 2 ? " 1 0 0\n" : " 0 1 0\n");
+  const TemporaryFile file(text);
+  const auto          field = fibres("file", "set File = " + file.name);
+  for (const std::string part :
+       {"90 degrees apart", "in lines", "a file for each of two muscles"})
+    EXPECT_TRUE(contains(field->warning(), part)) << field->warning();
+  // In the middle there is no mean.
+  const Point<3> X(1.4999999, 1, 1);
+  expect_equal(field->direction(X), Point<3>(1, 0, 0));
+  EXPECT_EQ(field->error(X), 1.);
+
+  std::string flat;
+  for (unsigned int i = 0; i < 4; ++i)
+    for (unsigned int j = 0; j < 4; ++j)
+      flat +=
+        std::to_string(i) + " " + std::to_string(j) + " 0 " +
+        std::to_string(10 + i) + " 1 0\n";
+  const TemporaryFile plane(flat);
+  const auto          in_plane = fibres("file", "set File = " + plane.name);
+  EXPECT_TRUE(contains(in_plane->warning(), "all points in a plane"))
+    << in_plane->warning();
+  EXPECT_LT((in_plane->direction(Point<3>(1.3, 1.6, 0.9)) -
+             in_plane->direction(Point<3>(1.3, 1.6, 0.)))
+              .norm(),
+            1e-3);
 }
 
 

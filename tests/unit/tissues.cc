@@ -423,7 +423,10 @@ TEST(Tissues, ElasticFibresHaveAnEnergy)
               " subsection other\n  set Fibres = direction\n  set k1 = 0.3\n"
               "  set k2 = 0\n  set kappa = 0.1\n"
               "  subsection direction\n   set Direction = 0.8, -0.6, 0\n  end\n"
-              " end\nend\n");
+              " end\nend\n"
+              "subsection Fibre couplings\n set Names = both\n"
+              " subsection both\n  set Between = other, one\n  set a = 0.5\n"
+              "  set b = 0.6\n end\nend\n");
   tissue.set_muscles({});
   tissue.initialize("Tissues/crossed", *Registry<Geometry>::create("block"));
   const auto fibres = tissue.elastic_fibres({});
@@ -473,4 +476,55 @@ TEST(Tissues, ElasticFibresHaveAnEnergy)
                               1e-6);
             }
       }
+}
+
+
+
+TEST(Tissues, FibreCouplingResistsShear)
+{
+  // In simple shear by g, f at rest and s sheared towards it, I8 = f . F s = g, and
+  // the energy a/(2 b) (exp(b g^2) - 1) is felt either way, whatever the sign of
+  // the vectors.
+  const double a = 0.4, b = 1.3;
+  for (const std::string turned : {"0, 1, 0", "0, -1, 0"})
+    {
+      const auto read = [&](Tissue &tissue, const std::string &more) {
+        Flesh::read(tissue,
+                    "subsection Elastic fibres\n set Names = f, s\n"
+                    " subsection f\n  set Fibres = direction\n"
+                    "  subsection direction\n   set Direction = 1, 0, 0\n  end\n"
+                    " end\n"
+                    " subsection s\n  set Fibres = direction\n"
+                    "  subsection direction\n   set Direction = " +
+                      turned + "\n  end\n end\nend\n" + more);
+        tissue.set_muscles({});
+        tissue.initialize("Tissues/sheared",
+                          *Registry<Geometry>::create("block"));
+      };
+      Tissue without("without"), with("with");
+      read(without, "");
+      read(with,
+           "subsection Fibre couplings\n set Names = c\n subsection c\n"
+           "  set Between = f, s\n  set a = 0.4\n  set b = 1.3\n end\nend\n");
+      MaterialPoint point;
+      for (const auto &fibre : with.elastic_fibres({}))
+        point.reference.fibres.push_back(fibre);
+      for (const double g : {-0.5, 1e-3, 0.7})
+        {
+          Tensor<2, dim> F = dealii::unit_symmetric_tensor<dim>();
+          F[0][1]          = g;
+          EXPECT_NEAR(with.energy(F, 0., point.reference) -
+                        without.energy(F, 0., point.reference),
+                      a / (2. * b) * std::expm1(b * g * g),
+                      1e-15);
+          MaterialResponse one, other;
+          with.evaluate(F, 0., point, false, one);
+          without.evaluate(F, 0., point, false, other);
+          const Tensor<2, dim> P     = one.P - other.P;
+          const double         slope = a * g * std::exp(b * g * g);
+          EXPECT_NEAR(P[0][1], slope, 1e-15);
+          EXPECT_NEAR(P[1][0], slope, 1e-15);
+          EXPECT_NEAR(P[0][0], g * slope, 1e-15);
+        }
+    }
 }

@@ -2,6 +2,7 @@
 #ifndef lumbricus_anatomy_fibre_family_h
 #define lumbricus_anatomy_fibre_family_h
 
+#include <lumbricus/anatomy/exponential_energy.h>
 #include <lumbricus/fibres/fibre_field.h>
 #include <lumbricus/geometry/part_of_body.h>
 #include <lumbricus/materials/material_law.h>
@@ -76,6 +77,10 @@ namespace lumbricus
     dealii::SymmetricTensor<2, dim>
     structure(const ReferencePoint         &reference,
               const dealii::Tensor<1, dim> &fibre) const;
+
+    /** Its energy at a strain > 0. */
+    ExponentialEnergy
+    stiffening(const ReferencePoint &reference) const;
 
     double             k1    = 0.1;
     double             k2    = 1.;

@@ -73,9 +73,12 @@ namespace lumbricus
     fibre_at_rest(const unsigned int        segment,
                   const dealii::Point<dim> &X) const;
 
-    /** See FibreField::is_sampled(). */
-    bool
-    fibres_are_sampled() const;
+    /** The direction of its fibres, whose exceptions do not name the muscle. */
+    const FibreField &
+    fibres() const
+    {
+      return *fibre_choice;
+    }
 
     /**
      * Its activation, which is its active stretch where its action is that, at

@@ -2,6 +2,7 @@
 #ifndef lumbricus_anatomy_tissue_h
 #define lumbricus_anatomy_tissue_h
 
+#include <lumbricus/anatomy/fibre_coupling.h>
 #include <lumbricus/anatomy/fibre_family.h>
 #include <lumbricus/anatomy/material_point.h>
 #include <lumbricus/anatomy/muscle.h>
@@ -87,6 +88,10 @@ namespace lumbricus
     const NamedList<FibreFamily> &
     fibre_families() const;
 
+    /** What holds two of these families at their angle. */
+    const NamedList<FibreCoupling> &
+    fibre_couplings() const;
+
     /** The unit vectors at @p X along its elastic fibres: those of its law, then
      * its families. Throws ExcInput, naming the tissue. */
     std::vector<dealii::Tensor<1, dim>>
@@ -99,7 +104,7 @@ namespace lumbricus
     reference_map(const std::vector<MuscleFibre>            &fibres,
                   const std::vector<dealii::Tensor<1, dim>> &elastic) const;
 
-    /** psi of the law and of the elastic fibres [N/mm^2]. */
+    /** psi of the law, of the elastic fibres and of their couplings [N/mm^2]. */
     double
     energy(const dealii::Tensor<2, dim> &F,
            const double                  p,
@@ -121,7 +126,8 @@ namespace lumbricus
     Choice<MaterialLaw>      law_choice;
     double                   mass_density = 1.05e-9;
     std::vector<std::string> names_of_muscles;
-    Section<NamedList<FibreFamily>> families;
+    Section<NamedList<FibreFamily>>   families;
+    Section<NamedList<FibreCoupling>> couplings;
 
     // What was chosen, found once: evaluate() is called at every point.
     const MaterialLaw                *chosen_law = nullptr;

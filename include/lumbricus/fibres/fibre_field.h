@@ -8,6 +8,8 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <string>
+
 namespace lumbricus
 {
   /** Unit vectors along the fibres of a muscle, in the reference configuration.
@@ -22,12 +24,20 @@ namespace lumbricus
     virtual dealii::Tensor<1, dim>
     direction(const dealii::Point<dim> &X) const = 0;
 
-    /** Whether there are directions at some points only, and direction() is
-     * that of the nearest of them. */
-    virtual bool
-    is_sampled() const
+    /** By how much f f may be off at @p X, in the Frobenius norm, where directions
+     * are given at some points only. */
+    virtual double
+    error(const dealii::Point<dim> & /*X*/) const
     {
-      return false;
+      return 0.;
+    }
+
+    /** What is doubtful about the directions, a sentence or more that begin with
+     * the parameter; empty where nothing is. */
+    virtual std::string
+    warning() const
+    {
+      return "";
     }
   };
 } // namespace lumbricus
