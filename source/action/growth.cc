@@ -12,9 +12,13 @@ namespace lumbricus
   class Grows : public MuscleAction
   {
   public:
-    /** @p documentation is that of theta. */
-    explicit Grows(const std::string &documentation)
-      : MuscleAction("growth", 1., 2., documentation)
+    Grows()
+      : MuscleAction("growth",
+                     1.,
+                     2.,
+                     "How the stress-free length of the tissue, in all "
+                     "directions or along the fibres alone, relative to that at "
+                     "rest, changes with time.")
     {}
 
     std::string
@@ -33,12 +37,6 @@ namespace lumbricus
   class Growth : public Grows
   {
   public:
-    Growth()
-      : Grows("How the stress-free length of the tissue, in all directions and "
-              "relative to that at rest, changes with time. The volume is that "
-              "to the third power; the direction of the fibres plays no role.")
-    {}
-
     double
     strength(const double /*theta*/) const override
     {
@@ -64,12 +62,6 @@ namespace lumbricus
   class FibreGrowth : public Grows
   {
   public:
-    FibreGrowth()
-      : Grows("How the stress-free length of the tissue along the fibres, "
-              "relative to that at rest, changes with time. Across them nothing "
-              "grows: the volume changes as the length does.")
-    {}
-
     double
     strength(const double theta) const override
     {
