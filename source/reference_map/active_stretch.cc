@@ -23,6 +23,8 @@ namespace lumbricus
   {
     const auto     I = dealii::unit_symmetric_tensor<dim, double>();
     ReferencePoint reference;
+    for (const ActiveFibre &fibre : fibres)
+      reference.J_v *= fibre.volume;
     if (fibres.size() == 1)
       {
         // G^(-1) = 1/lambda f x f + sqrt(lambda) (I - f x f)

@@ -29,23 +29,27 @@ PULL = [*SHORT[:2], "Muscles/biceps/Action=active stress",
         "Muscles/biceps/expression/Formula=t",
         "Muscles/biceps/active stress/Force-length=Blemker",
         "Muscles/biceps/active stress/Force-velocity=Hill"]
+GROWTH = [*SHORT[:2], "Muscles/biceps/Action=growth",
+          "Muscles/biceps/Growth=expression",
+          "Muscles/biceps/expression/Formula=1 + t"]
 UNUSED = "Not used, because of --set: "
 
 
 @pytest.fixture(scope="module")
 def resolved(tmp_path_factory):
-    """parameters.prm of five runs by their names: of a block, of one on the
-    ground, of one whose muscle pulls, of one with elastic fibres, and of a body
-    with a cavity."""
+    """parameters.prm of six runs by their names: of a block, of one on the
+    ground, of one whose muscle pulls, of one that grows, of one with elastic fibres,
+    and of a body with a cavity."""
     folder = tmp_path_factory.mktemp("resolved")
     for name, case, settings in (("block", BLOCK, SHORT),
                                  ("contact", BLOCK, CONTACT),
                                  ("pull", BLOCK, PULL),
+                                 ("growth", BLOCK, GROWTH),
                                  ("fibres", BLOCK, FIBRES),
                                  ("cavity", SPHERE, CAVITY)):
         run_well(case, folder / name, settings)
     return {name: folder / name / "parameters.prm"
-            for name in ("block", "contact", "pull", "fibres", "cavity")}
+            for name in ("block", "contact", "pull", "growth", "fibres", "cavity")}
 
 
 def choices():
@@ -84,6 +88,7 @@ def body_of(parameter):
         "contact" if "/contact/" in parameter else \
         "pull" if "/active stress/" in parameter or \
         parameter.endswith("/Activation") else \
+        "growth" if parameter.endswith("/Growth") else \
         "fibres" if "/Elastic fibres/" in parameter or \
         "/Guccione/" in parameter else "block"
 
@@ -101,6 +106,7 @@ def in_block(parameter):
 def test_all_choices_are_found():
     assert {"Geometry/Shape", "Tissues/<tissue>/Law", "Muscles/<muscle>/Fibres",
             "Muscles/<muscle>/Active stretch", "Muscles/<muscle>/Activation",
+            "Muscles/<muscle>/Growth",
             "Muscles/<muscle>/active stress/Force-length",
             "Muscles/<muscle>/active stress/Force-velocity", "Linear solver/Method",
             "Boundary conditions/<load or support>/Type",
@@ -118,6 +124,8 @@ NEEDS = {
     "Geometry/Shape=open cylinder": LIQUID,
     "Geometry/Shape=hollow sphere": LIQUID,
     "Muscles/biceps/Action=active stress": ("'Muscles/biceps/Activation'",),
+    "Muscles/biceps/Action=growth": ("'Muscles/biceps/Growth'",),
+    "Muscles/biceps/Action=growth along fibres": ("'Muscles/biceps/Growth'",),
     "Muscles/biceps/active stress/Force-length=file": (
         "'Muscles/biceps/active stress/file/File'",),
     "Geometry/Shape=truncated ellipsoid": (

@@ -622,6 +622,20 @@ end
     ("fastest of zero", BLOCK, pull(
         "set Force-velocity = Hill\nsubsection Hill\nset Fastest = 0\nend"),
      ["'Muscles/triceps/active stress/Hill/Fastest'", "> 0"]),
+    ("growth without its formula", BLOCK,
+     another_muscle("set Fibres = longitudinal\nset Action = growth"),
+     ["'Muscles/triceps/Growth' is not set", "Set it to one of 'expression'"]),
+    ("growth to nothing", BLOCK,
+     another_muscle("set Fibres = longitudinal\nset Action = growth\n"
+                    "set Growth = expression\nsubsection expression\n"
+                    "set Formula = 1 - 2*t\nend"),
+     ["growth of muscle 'triceps' in segment 1", "a number > 0", "a growth by 20%",
+      "'Muscles/triceps/expression'"]),
+    ("growth by a formula that does not parse", BLOCK,
+     another_muscle("set Fibres = longitudinal\nset Action = growth along fibres\n"
+                    "set Growth = expression\nsubsection expression\n"
+                    "set Formula = sin(t\nend"),
+     ["'Muscles/triceps/expression/Formula'", "'sin(t'", "Missing parenthesis"]),
     ("active stretch of a muscle that pulls", BLOCK,
      pull("").replace("set Activation", "set Active stretch"),
      ["'Muscles/triceps/Active stretch'", "is unknown"]),

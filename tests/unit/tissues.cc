@@ -9,6 +9,8 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/patterns.h>
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
 #include <deal.II/base/types.h>
 
 #include <gtest/gtest.h>
@@ -177,6 +179,41 @@ TEST(Tissues, MapIsThatOfTheMusclesThatShorten)
   // Without one that shortens it is the identity, to the last bit.
   const auto rest = Flesh("pull").point(0.5).reference;
   EXPECT_EQ((rest.G_inverse - ReferencePoint().G_inverse).norm(), 0.);
+}
+
+
+
+TEST(Tissues, GrowthMakesTheStressFreeVolume)
+{
+  // theta I, and I + (theta - 1) f x f, are J_v^(1/3) G.
+  const dealii::Tensor<1, dim> f({0.6, 0., 0.8});
+  const double                 theta = 1.3;
+  const auto                   I = dealii::unit_symmetric_tensor<dim, double>();
+  const auto                   ff =
+    dealii::symmetrize(dealii::outer_product(f, f));
+  for (const bool along : {false, true})
+    {
+      const auto grows =
+        Registry<MuscleAction>::create(along ? "growth along fibres" : "growth");
+      std::vector<ActiveFibre> stretches;
+      grows->add_stretch({f, theta}, stretches);
+      const ReferencePoint   map = active_stretch_map(stretches);
+      dealii::Tensor<2, dim> shape =
+        along ? I + (theta - 1.) * ff : theta * I;
+      EXPECT_NEAR(map.J_v, determinant(shape), 1e-14);
+      EXPECT_NEAR(determinant(map.G_inverse), 1., 1e-14);
+      EXPECT_LT((std::cbrt(map.J_v) * invert(map.G_inverse) - shape).norm(),
+                1e-14);
+
+      // In that shape the tissue is free of stress and has no other volume.
+      const Flesh      flesh("shorten");
+      MaterialPoint    point;
+      MaterialResponse response;
+      point.reference = map;
+      flesh.tissue.law().evaluate(shape, 0., point.reference, false, response);
+      EXPECT_LT(response.P.norm(), 1e-14);
+      EXPECT_NEAR(response.c, 0., 1e-14);
+    }
 }
 
 

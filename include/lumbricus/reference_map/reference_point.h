@@ -15,7 +15,7 @@ namespace lumbricus
    * The reference map at a point: F = F_e G with det G = 1 takes a material
    * point from the mesh's configuration to its own stress-free shape, and J_v
    * is its stress-free volume per volume of the mesh's configuration.
-   * A passive solid has G = I and J_v = 1.
+   * A passive solid has G = I and J_v = 1; one that grows has another J_v.
    */
   struct ReferencePoint
   {
