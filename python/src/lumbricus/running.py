@@ -68,27 +68,31 @@ def _stop_with_this_process() -> None:
 
 
 def _wait(process: subprocess.Popen[str], folder: pathlib.Path,
-          progress: Progress | None) -> str:
+          progress: Progress | None, stop: threading.Event | None) -> str:
     """Until the run ends; what it said on standard error."""
     shown = None
     while True:
         try:
-            _, words = process.communicate(timeout=LOOK_AGAIN if progress else None)
+            _, words = process.communicate(
+                timeout=LOOK_AGAIN if progress or stop else None)
             break
         except subprocess.TimeoutExpired:
-            where = _where(folder)
-        if progress and where and where != shown:
-            progress(*where)
-            shown = where
-    if progress and process.returncode == 0:
-        where = _where(folder)
-        if where and where != shown:
-            progress(*where)
+            if stop and stop.is_set():
+                process.send_signal(signal.SIGUSR1)
+                stop = None
+            where = _where(folder) if progress else None
+            if progress and where and where != shown:
+                progress(*where)
+                shown = where
+    where = _where(folder) if progress and process.returncode == 0 else None
+    if progress and where and where != shown:
+        progress(*where)
     return words
 
 
 def _start(command: list[str], folder: pathlib.Path, ranks: int,
-           progress: bool | Progress | None) -> Run:
+           progress: bool | Progress | None,
+           stop: threading.Event | None = None) -> Run:
     if progress is None:
         progress = sys.stderr.isatty()
     show = show_bar if progress is True else progress or None
@@ -103,7 +107,7 @@ def _start(command: list[str], folder: pathlib.Path, ranks: int,
             stderr=subprocess.PIPE, env=environment() | {"TMPDIR": session},
             start_new_session=True, preexec_fn=_stop_with_this_process)
         try:
-            words = _wait(process, folder, show)
+            words = _wait(process, folder, show, stop)
         except BaseException as error:
             _stop(process)
             if (folder / "checkpoints").is_dir():
@@ -127,7 +131,9 @@ def _stop(process: subprocess.Popen[str]) -> None:
 
 
 def run(case: Case, folder: str | os.PathLike[str], *, ranks: int = 1,
-        progress: bool | Progress | None = None) -> Run:
+        progress: bool | Progress | None = None,
+        settings: Mapping[str, object] | None = None,
+        stop: threading.Event | None = None) -> Run:
     """Compute a case, and wait for its end.
 
     Args:
@@ -136,7 +142,9 @@ def run(case: Case, folder: str | os.PathLike[str], *, ranks: int = 1,
         ranks: processes of MPI.
         progress: True for a bar on standard error, the default on a terminal; or a
             function of the time that was reached and that of the end, which is called
-            up to five times a second.
+            when that has changed, at most five times a second.
+        settings: further changes to the case, looked at when the run begins.
+        stop: set by another thread, it ends the run as a signal does.
 
     Returns the finished run.
 
@@ -146,28 +154,30 @@ def run(case: Case, folder: str | os.PathLike[str], *, ranks: int = 1,
     A second KeyboardInterrupt ends it at once.
     """
     path = pathlib.Path(folder).absolute()
+    changes = case.settings | {name: text_of(value)
+                               for name, value in (settings or {}).items()}
     # A bar that begins where an earlier run has ended would be wrong.
-    with contextlib.suppress(FileNotFoundError):
-        if progress is not False and not (path / "lumbricus.lock").exists():
-            (path / "steps.csv").stat()
-            progress = _after(path, progress)
-    return _start([str(case.program), str(case.file), "--output", str(path), "--quiet",
-                   *settings_as_options(case.settings.items())], path, ranks, progress)
-
-
-def _after(folder: pathlib.Path, progress: bool | Progress | None) -> bool | Progress:
-    """The same, without what tables of an earlier run say."""
-    before = (folder / "steps.csv").stat().st_ino, (folder / "steps.csv").stat().st_mtime
     if progress is None:
         progress = sys.stderr.isatty()
-    if progress is False:
-        return False
-    show = show_bar if progress is True else progress
+    if progress:
+        progress = _after(path, show_bar if progress is True else progress)
+    return _start([str(case.program), str(case.file), "--output", str(path), "--quiet",
+                   *settings_as_options(changes.items())], path, ranks, progress, stop)
+
+
+def _after(folder: pathlib.Path, progress: Progress) -> Progress:
+    """The same, without what the table of an earlier run says."""
+    def mark() -> tuple[int, int] | None:
+        with contextlib.suppress(FileNotFoundError):
+            now = (folder / "steps.csv").stat()
+            return now.st_ino, now.st_mtime_ns
+        return None
+
+    before = mark()
 
     def of_this_run(t: float, end: float) -> None:
-        now = (folder / "steps.csv").stat()
-        if (now.st_ino, now.st_mtime) != before:
-            show(t, end)
+        if mark() != before:
+            progress(t, end)
     return of_this_run
 
 
