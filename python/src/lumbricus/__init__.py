@@ -43,7 +43,7 @@ _HOME = {
     "find_program": "program", "Description": "results", "Run": "results",
     "run": "running", "restart": "running", "sweep": "sweeping",
 }
-__all__ = sorted(_HOME)  # noqa: PLE0605
+__all__ = sorted(_HOME)
 
 
 def __getattr__(name: str) -> Any:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import difflib
+import itertools
 import json
 import os
 import pathlib
@@ -150,7 +151,9 @@ class Case(Mapping[str, Value]):
             if parameter.value == parameter.default:
                 continue
             *sections, name = parameter.path.split("/")
-            same = len(os.path.commonprefix([sections, open_sections]))
+            same = sum(1 for _ in itertools.takewhile(
+                lambda pair: pair[0] == pair[1],
+                zip(sections, open_sections, strict=False)))
             for depth in range(len(open_sections), same, -1):
                 lines.append("  " * (depth - 1) + "end")
             for depth in range(same, len(sections)):

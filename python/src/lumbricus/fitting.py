@@ -10,6 +10,7 @@ in it cannot be told apart.
 from __future__ import annotations
 
 import dataclasses
+import math
 import os
 import statistics
 from collections.abc import Callable, Mapping, Sequence
@@ -30,10 +31,10 @@ if TYPE_CHECKING:
 
 Vector = npt.NDArray[np.float64]
 UNKNOWN_TO = 0.5     # of the scales: a combination that is not known better
-TAKES_PART = 0.3     # of a unit vector: an unknown that belongs to a combination
+TAKES_PART = 0.1     # of a unit vector: an unknown that belongs to a combination
 LARGEST_STEP = 0.03  # of differences, relative to the scale
 OF_A_FAILED_RUN = 1e6  # residuals of a trial that has no equilibrium
-PRECISION = 1e-12
+PRECISION = 1e-9
 
 
 @dataclasses.dataclass(frozen=True)
@@ -182,7 +183,8 @@ def step_for(run: Run) -> float:
     resets = any(tissue["liquid"] and tissue["law"] for tissue
                  in description.body["tissues"])
     name = "Reset/Tolerance" if resets else "Newton/Force tolerance"
-    return min(LARGEST_STEP, float(description.parameters[name].value) ** (1 / 3))
+    tolerance = float(description.parameters[name].value)
+    return min(LARGEST_STEP, math.cbrt(tolerance))
 
 
 class _Problem:
@@ -190,7 +192,8 @@ class _Problem:
 
     def __init__(self, store: RunStore, unknowns: Sequence[Unknown],
                  targets: Sequence[Target], step: float | None) -> None:
-        self.store, self.unknowns, self.targets, self.step = store, unknowns, targets, step
+        self.store, self.step = store, step
+        self.unknowns, self.targets = unknowns, targets
         self.scales = np.array([unknown.size() for unknown in unknowns])
         self.measured = np.concatenate([target.values() for target in targets])
         self.errors = np.concatenate([target.errors() for target in targets])
@@ -201,8 +204,9 @@ class _Problem:
     def runs(self, points: Sequence[Vector]) -> list[Run | LumbricusError]:
         self.n_runs += len(points)
         return self.store.compute([
-            {name: value for unknown, x in zip(self.unknowns, z * self.scales, strict=True)
-             for name, value in unknown.set_to(float(x)).items()} for z in points])
+            {name: value for unknown, x
+             in zip(self.unknowns, (z * self.scales).tolist(), strict=True)
+             for name, value in unknown.set_to(x).items()} for z in points])
 
     def numbers(self, run: Run) -> Vector:
         found = []
@@ -217,7 +221,7 @@ class _Problem:
     def residuals(self, z: Vector) -> Vector:
         run, = self.runs([z])
         if isinstance(run, Run):
-            return (self.numbers(run) - self.measured) / self.errors
+            return np.asarray((self.numbers(run) - self.measured) / self.errors)
         if run.exit_code != 2:
             raise run
         return np.full(self.measured.shape, OF_A_FAILED_RUN)
@@ -270,7 +274,7 @@ def fit(case: Case, unknowns: Sequence[Unknown], targets: Sequence[Target],
 def _result(problem: _Problem, z: Vector, residuals: Vector) -> Fit:
     scaled = problem.jacobian(z)
     names = pd.Index([unknown.name for unknown in problem.unknowns])
-    rows = pd.Index([target.name if target.values().size == 1 else f"{target.name} {i + 1}"
+    rows = pd.Index([target.name + (f" {i + 1}" if target.values().size > 1 else "")
                      for target in problem.targets
                      for i in range(target.values().size)])
     _, w, v = np.linalg.svd(scaled, full_matrices=True)

@@ -127,7 +127,7 @@ class Run:
         from .plot.fields import read_series
         if not (self.folder / "solution.pvd").exists():
             return []
-        return cast(list[tuple[float, pathlib.Path]], read_series(self.folder))
+        return read_series(self.folder)
 
     def mesh(self, t: float | None = None) -> pyvista.UnstructuredGrid:
         """The cells and fields at a time [time], by default the last one. The points
