@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A case is what the program says it is."""
 import pytest
+from loaded_program import loaded_program
 from lumbricus_run import SOURCE
 
 import lumbricus
@@ -11,7 +12,7 @@ FORMULA = "Muscles/circular/expression/Formula"
 
 
 def test_values_defaults_and_units():
-    case = lumbricus.Case(PISTONS)
+    case = lumbricus.Case(PISTONS, program=loaded_program())
     assert case["Geometry/open cylinder/Radius"] == 3
     assert case[FORMULA] == "1 - 0.2*t"
     radius = case.parameter("Geometry/open cylinder/Radius")
@@ -22,7 +23,7 @@ def test_values_defaults_and_units():
 
 
 def test_changes_are_checked_by_the_program():
-    case = lumbricus.Case(PISTONS)
+    case = lumbricus.Case(PISTONS, program=loaded_program())
     with pytest.raises(lumbricus.InputError) as unknown:
         case["Geometry/open cylinder/Radus"] = 1
     assert "Did you mean 'Geometry/open cylinder/Radius'?" in unknown.value.message
@@ -38,15 +39,15 @@ def test_changes_are_checked_by_the_program():
     other = case.changed({"Time/End": 0.1 + 0.2, "Output/Every": 0})
     assert other["Time/End"] == 0.1 + 0.2 and case["Time/End"] == 1
     with pytest.raises(lumbricus.InputError, match="no-such-file"):
-        lumbricus.Case("no-such-file.prm")
+        lumbricus.Case("no-such-file.prm", program=loaded_program())
 
 
 @pytest.mark.parametrize("file", [
     PISTONS, BLOCK, SOURCE / "parameters" / "crawling" / "case.prm",
     SOURCE / "parameters" / "lumbricus_terrestris" / "case.prm"])
 def test_what_is_written_is_the_case(file, tmp_path):
-    case = lumbricus.Case(file, {"Time/End": 1 / 3})
-    again = lumbricus.Case(case.write(tmp_path / "mine.prm"))
+    case = lumbricus.Case(file, {"Time/End": 1 / 3}, loaded_program())
+    again = lumbricus.Case(case.write(tmp_path / "mine.prm"), program=case.program)
     assert dict(again) == dict(case)
     assert again["Time/End"] == 1 / 3
 

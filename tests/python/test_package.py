@@ -2,10 +2,13 @@
 """Types, style, the examples in docstrings, and that it can be installed."""
 import doctest
 import importlib
+import itertools
 import os
 import pkgutil
+import shutil
 import subprocess
 import sys
+import tomllib
 
 import pytest
 from lumbricus_run import SOURCE
@@ -38,6 +41,19 @@ def test_examples_in_docstrings():
         assert result.failed == 0, name
         n_examples += result.attempted
     assert n_examples >= 8
+
+
+def test_versions_are_those_of_the_scripts():
+    """pyproject.toml and scripts/requirements.txt ask for the same."""
+    project = tomllib.loads((PACKAGE / "pyproject.toml").read_text())["project"]
+    wanted = [*project["dependencies"],
+              *itertools.chain(*project["optional-dependencies"].values())]
+    listed = [line.replace(" ", "") for line in
+              (SOURCE / "scripts" / "requirements.txt").read_text().splitlines()
+              if not line.startswith("#")]
+    assert sorted(wanted) == sorted(listed)
+    cmake = (SOURCE / "CMakeLists.txt").read_text()
+    assert f"VERSION {project['version']}" in cmake
 
 
 def test_names():
@@ -74,7 +90,6 @@ def test_it_can_be_installed(tmp_path):
 
 def _copy(folder):
     """Of what is to be installed: setuptools writes beside it."""
-    import shutil
     shutil.copytree(PACKAGE, folder, ignore=shutil.ignore_patterns(
         "__pycache__", "*.egg-info", "build"))
     return folder

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from .errors import ProgramNotFound as ProgramNotFound
     from .errors import RunFailed as RunFailed
     from .fitting import Fit as Fit
+    from .fitting import Target as Target
     from .fitting import Unknown as Unknown
     from .fitting import fit as fit
     from .program import find_program as find_program
@@ -39,7 +40,8 @@ _HOME = {
     "Case": "case", "Parameter": "case", "Controller": "controller",
     "LumbricusError": "errors", "InputError": "errors", "RunFailed": "errors",
     "Interrupted": "errors", "ProgramNotFound": "errors",
-    "Fit": "fitting", "Unknown": "fitting", "fit": "fitting",
+    "Fit": "fitting", "Target": "fitting", "Unknown": "fitting",
+    "fit": "fitting",
     "find_program": "program", "Description": "results", "Run": "results",
     "run": "running", "restart": "running", "sweep": "sweeping",
 }

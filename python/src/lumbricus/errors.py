@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import pathlib
+import signal
+
+ENDING_SIGNALS = {signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGUSR1}
 
 
 class LumbricusError(Exception):
@@ -49,6 +52,14 @@ def error_of(exit_code: int, message: str,
     'InputError'
     >>> type(error_of(-9, "killed")).__name__
     'RunFailed'
+    >>> type(error_of(-signal.SIGUSR1, "")).__name__
+    'Interrupted'
     """
     kinds: dict[int, type[LumbricusError]] = {1: InputError, 4: Interrupted}
+    if -exit_code in ENDING_SIGNALS:
+        # Before the program listens to signals, which is nearly at once.
+        return Interrupted(message or "A signal ended the run before it had begun.", 4,
+                           folder)
+    if not message:
+        message = f"The program ended with exit code {exit_code} and said nothing."
     return kinds.get(exit_code, RunFailed)(message, exit_code, folder)

@@ -35,6 +35,7 @@ TAKES_PART = 0.1     # of a unit vector: an unknown that belongs to a combinatio
 LARGEST_STEP = 0.03  # of differences, relative to the scale
 OF_A_FAILED_RUN = 1e6  # residuals of a trial that has no equilibrium
 PRECISION = 1e-9
+GRADIENT = 1e-6      # the same part of what unknowns are uncertain by, or less
 
 
 @dataclasses.dataclass(frozen=True)
@@ -267,7 +268,7 @@ def fit(case: Case, unknowns: Sequence[Unknown], targets: Sequence[Target],
     problem.step = step or step_for(first)
     found = least_squares(problem.residuals, start, jac=problem.jacobian,
                           bounds=(problem.low, problem.high), ftol=PRECISION,
-                          xtol=PRECISION, gtol=PRECISION)
+                          xtol=PRECISION, gtol=GRADIENT)
     return _result(problem, np.asarray(found.x), np.asarray(found.fun))
 
 

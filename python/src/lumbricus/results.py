@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     import pyvista
 
 DESCRIPTION = "run.json"
+# pandas 3 reads numbers as they were written, and earlier ones where they are told to.
+_TO_THE_LAST_BIT: dict[str, Any] = (
+    {"float_precision": "round_trip"} if int(pd.__version__.split(".")[0]) < 3 else {})
 
 
 def read_description(folder: str | os.PathLike[str]) -> dict[str, Any]:
@@ -98,9 +101,9 @@ class Run:
             raise AttributeError(
                 f"The run in '{self.folder}' has no table '{name}', but "
                 f"{', '.join(self.tables)}.") from None
-        # Numbers to the last bit, as the program wrote them.
-        return pd.read_csv(io.StringIO(text[:text.rfind("\n") + 1]),
-                           float_precision="round_trip")
+        found: pd.DataFrame = pd.read_csv(
+            io.StringIO(text[:text.rfind("\n") + 1]), **_TO_THE_LAST_BIT)
+        return found
 
     def __getattr__(self, name: str) -> pd.DataFrame:
         if name.startswith("_") or name == "folder":

@@ -36,8 +36,8 @@ Vector = npt.NDArray[np.float64]
 # Of time and of the segments s, which count from 1 at the head.
 Activation = Callable[[float, Vector], Vector]
 CIRCULAR, LONGITUDINAL = "circular", "longitudinal"
-MOST_ITERATIONS = 200
-TOLERANCE = 1e-12  # of forces, relative to the stiffness of a segment
+MOST_ITERATIONS = 100
+TOLERANCE = 1e-11  # of forces, relative to the stiffness of a segment
 
 
 def wave(amplitude: float, wavelength: float, *, period: float = 1.0, duty: float = 0.5,
@@ -166,7 +166,8 @@ class Crawl:
 class Worm:
     """Equal segments in a row.
 
-        tube = Tube(2.0, (Layer(0.15, 0.23, "longitudinal"), Layer(0.15, 0.23, "circular")))
+        tube = Tube(2.0, (Layer(0.15, 0.23, "longitudinal"),
+                          Layer(0.15, 0.23, "circular")))
         worm = Worm(20, 2.0, tube)
         gait = {"circular": wave(0.3, 10), "longitudinal": wave(0.3, 10, phase=0.5)}
         worm.crawl(gait, Ground(0.001, 0.004), end=2.0).stride(1.0, 2.0)
@@ -210,7 +211,12 @@ class Worm:
               slip: float, x: Vector, anchors: Vector) -> tuple[Vector, Vector]:
         """The places of nodes and of their anchors. Newton's method with a
         line search on work, as friction is bounded."""
-        x = self._solve(active, limits, slip, x, anchors)
+        try:
+            x = self._solve(active, limits, slip, x, anchors)
+        except ArithmeticError:
+            # On softer ground first.
+            for softer in (100.0, 30.0, 10.0, 3.0, 1.0):
+                x = self._solve(active, limits, softer * slip, x, anchors)
         forward, backward = limits
         reach = np.where(x < anchors, forward, backward) \
             / np.maximum(np.maximum(forward, backward), 1e-300) * slip
