@@ -66,8 +66,8 @@ def test_stiffness_and_contraction_are_found(case, folder):
 
 
 def test_pressure_alone_does_not_tell_them_apart(case, folder):
-    found = lumbricus.fit(case, [dataclasses.replace(STIFFNESS, start=0.235), CONTRACTION],
-                          [OF_PRESSURE], folder, workers=2)
+    nearer = dataclasses.replace(STIFFNESS, start=0.235)
+    found = lumbricus.fit(case, [nearer, CONTRACTION], [OF_PRESSURE], folder, workers=2)
     assert found.targets["found"].iloc[0] == pytest.approx(PRESSURE, rel=1e-6)
     assert found.cannot_be_told_apart == [[A, "c"]]
     assert np.isinf(found.uncertainty).all()
