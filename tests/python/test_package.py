@@ -3,6 +3,7 @@
 import doctest
 import importlib
 import itertools
+import json
 import os
 import pkgutil
 import shutil
@@ -31,7 +32,7 @@ def test_types(tmp_path):
 
 
 def test_style():
-    check("ruff", "check", "--no-cache", "src", "../tests/python")
+    check("ruff", "check", "--no-cache", "src", "notebooks", "../tests/python")
 
 
 def test_examples_in_docstrings():
@@ -54,6 +55,10 @@ def test_versions_are_those_of_the_scripts():
     assert sorted(wanted) == sorted(listed)
     cmake = (SOURCE / "CMakeLists.txt").read_text()
     assert f"VERSION {project['version']}" in cmake
+    meta = json.loads((SOURCE / "codemeta.json").read_text())
+    assert meta["version"] == project["version"]
+    citation = (SOURCE / "CITATION.cff").read_text()
+    assert f"version: {project['version']}\n" in citation
 
 
 def test_names():
