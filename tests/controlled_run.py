@@ -9,8 +9,8 @@ import threading
 
 from lumbricus_run import SOURCE
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from lumbricus_controller import Controller as Controller  # noqa: E402
+sys.path.insert(0, str(SOURCE / "python" / "src"))
+from lumbricus.controller import Controller as Controller  # noqa: E402
 
 
 def controlled(muscles, address, quantity="Active stretch"):

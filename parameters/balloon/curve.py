@@ -11,10 +11,11 @@ import sys
 
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]
+                       / "python" / "src"))
 
-from lumbricus_plot import figures  # noqa: E402
-from lumbricus_plot.tables import read_table  # noqa: E402
+from lumbricus.plot import figures  # noqa: E402
+from lumbricus.plot.tables import read_table  # noqa: E402
 
 RADIUS, WALL, SHEAR = 10.0, 0.5, 0.46  # mm, mm, N/mm^2: twice the a of case.prm
 PER_TIME = 0.01426  # N/mm^2

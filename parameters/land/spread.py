@@ -12,10 +12,11 @@ import sys
 
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]
+                       / "python" / "src"))
 
-from lumbricus_plot import figures  # noqa: E402
-from lumbricus_plot.tables import read_table  # noqa: E402
+from lumbricus.plot import figures  # noqa: E402
+from lumbricus.plot.tables import read_table  # noqa: E402
 
 plt = figures.plt
 RUN, OTHER, RANGE = "#c0392b", "#2471a3", "#aab7b8"

@@ -17,9 +17,10 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]
+                       / "python" / "src"))
 
-from lumbricus_plot.tables import (  # noqa: E402
+from lumbricus.plot.tables import (  # noqa: E402
     read_parameters, read_table)
 
 KPA = 1e3  # in a N/mm^2

@@ -10,9 +10,9 @@ from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
 
 import closed_forms  # noqa: E402
 import experiments  # noqa: E402
-from lumbricus_plot.fields import (  # noqa: E402
+from lumbricus.plot.fields import (  # noqa: E402
     FACES, nodes_of_cells, read_grid, read_series)
-from lumbricus_plot.tables import read_table  # noqa: E402
+from lumbricus.plot.tables import read_table  # noqa: E402
 
 AROUND = [0, 4, 1, 5, 2, 6, 3, 7, 0]  # the nodes around a face
 NUS = closed_forms.POISSON_RATIOS

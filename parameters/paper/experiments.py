@@ -14,9 +14,9 @@ from typing import NamedTuple
 import closed_forms
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parents[1] / "scripts"))
+sys.path.insert(0, str(HERE.parents[1] / "python" / "src"))
 
-from lumbricus_plot.tables import read_table  # noqa: E402
+from lumbricus.plot.tables import read_table  # noqa: E402
 
 WALL_A = 0.23                 # N/mm^2
 RADIUS, THICKNESS = 10, 0.1   # mm

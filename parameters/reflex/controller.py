@@ -10,8 +10,9 @@ What it feels is how long it was before the load step: a reflex is late."""
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-from lumbricus_controller import Controller  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]
+                       / "python" / "src"))
+from lumbricus.controller import Controller  # noqa: E402
 
 
 class Reflex(Controller):

@@ -16,6 +16,7 @@ namespace lumbricus
       {"version", no_argument, nullptr, 'v'},
       {"parameters", no_argument, nullptr, 'p'},
       {"check", no_argument, nullptr, 'c'},
+      {"values", no_argument, nullptr, 'w'},
       {"quiet", no_argument, nullptr, 'q'},
       {"verbose", no_argument, nullptr, 'V'},
       {"progress", no_argument, nullptr, 'P'},
@@ -42,6 +43,9 @@ namespace lumbricus
             break;
           case 'c':
             check = true;
+            break;
+          case 'w':
+            check = values = true;
             break;
           case 'P':
             progress = true;
@@ -122,6 +126,10 @@ namespace lumbricus
          "mesh, say\n"
          "                             how many cells and unknowns there are, "
          "and stop\n"
+         "  --values                   check, and print all parameters of the "
+         "run as JSON:\n"
+         "                             path, value, default, unit and meaning of "
+         "each\n"
          "  --set \"Section/Name=value\" override a parameter; may be given "
          "several times\n"
          "  -o, --output DIR           write the results to DIR\n"

@@ -5,6 +5,7 @@
 #include <lumbricus/core/log.h>
 #include <lumbricus/core/out_of_memory.h>
 #include <lumbricus/output/run_description.h>
+#include <lumbricus/parameters/entries_as_json.h>
 #include <lumbricus/program/blas.h>
 #include <lumbricus/program/run.h>
 
@@ -214,6 +215,23 @@ namespace lumbricus
 
 
 
+    // All parameters with their values, for other programs.
+    void
+    say_values(const RunInput &input, const MPI_Comm comm)
+    {
+      std::string reason;
+      if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+        {
+          as_json(input.file.entries()).write(std::cout);
+          std::cout << '\n';
+          if (!std::cout.flush())
+            reason = Log::output_cannot_be_written;
+        }
+      throw_on_all_ranks<ExcInput>(reason, comm);
+    }
+
+
+
     void
     compute(ChainProblem         &problem,
             const RunInput       &input,
@@ -265,6 +283,11 @@ namespace lumbricus
     set_up(problem, input, comm);
     if (command_line.check)
       {
+        if (command_line.values)
+          {
+            say_values(input, comm);
+            return;
+          }
         say_what_runs(input, problem, log);
         log << "The input is valid; nothing was computed.\n";
         // What was said is all that a check gives.

@@ -19,7 +19,7 @@ BLOCK = HERE / "block.prm"
 def test_help(option):
     result = call(option)
     assert result.returncode == 0 and result.stderr == ""
-    for word in ("--check", "--set", "--output", "--parameters", "--version",
+    for word in ("--check", "--set", "--output", "--parameters", "--values", "--version",
                  "FILE.prm", "mpirun", "Exit codes"):
         assert word in result.stdout
     assert max(map(len, result.stdout.splitlines())) <= 80
@@ -44,6 +44,24 @@ def test_check_computes_and_writes_nothing(tmp_path):
     result = call("--check", BLOCK, "--set", "Time/Ende=1", folder=tmp_path)
     assert result.returncode == 1 and "'Time/Ende'" in result.stderr
     assert not list(tmp_path.iterdir())
+
+
+def test_values_are_those_of_the_run(tmp_path):
+    """--values says all that run.json will say of the parameters, and writes nothing."""
+    settings = ["--set", "Time/End=0.125", "--set", "Output/Every=0"]
+    result = call("--values", BLOCK, *settings, folder=tmp_path)
+    assert result.returncode == 0 and result.stderr == ""
+    assert not list(tmp_path.iterdir())
+    run_well(BLOCK, tmp_path, ["Time/End=0.125", "Output/Every=0"])
+    said, of_run = (
+        {entry["path"]: entry for entry in entries if entry["path"] != "Output/Folder"}
+        for entries in (json.loads(result.stdout), json.loads(
+            (tmp_path / "run.json").read_text())["parameters"]))
+    assert said == of_run and said["Time/End"]["value"] == 0.125
+    # What --check finds, this finds.
+    result = call("--values", BLOCK, "--set", "Time/Ende=1", folder=tmp_path)
+    assert result.returncode == 1 and "'Time/Ende'" in result.stderr
+    assert result.stdout == ""
 
 
 def test_parameters_are_complete_and_can_be_read(tmp_path):

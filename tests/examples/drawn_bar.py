@@ -6,7 +6,7 @@ import sys
 
 from lumbricus_run import SOURCE
 
-sys.path.insert(0, str(SOURCE / "scripts"))
+sys.path.insert(0, str(SOURCE / "python" / "src"))
 
 
 def check_pictures(folder):
@@ -17,9 +17,9 @@ def check_pictures(folder):
     # They need packages that a machine without pictures does not have.
     import numpy as np
     from PIL import Image
-    from lumbricus_plot.command import main
-    from lumbricus_plot.fields import read_grid
-    from lumbricus_plot.run_folder import RunFolder
+    from lumbricus.plot.command import main
+    from lumbricus.plot.fields import read_grid
+    from lumbricus.plot.run_folder import RunFolder
 
     images = []
     for name, n_mirrors in (("twitch", 0), ("quarter", 2)):

@@ -11,8 +11,8 @@ import pytest
 from cube_mesh import boxes
 from lumbricus_run import SOURCE, run_well
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from lumbricus_plot.fields import read_grid, read_series  # noqa: E402
+sys.path.insert(0, str(SOURCE / "python" / "src"))
+from lumbricus.plot.fields import read_grid, read_series  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
 CHAIN = HERE / "chain.prm"

@@ -11,14 +11,14 @@ from PIL import Image
 
 from lumbricus_run import SOURCE, run_well
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from lumbricus_plot.body import Body, with_image  # noqa: E402
-from lumbricus_plot.command import main  # noqa: E402
-from lumbricus_plot.fields import (  # noqa: E402
+sys.path.insert(0, str(SOURCE / "python" / "src"))
+from lumbricus.plot.body import Body, with_image  # noqa: E402
+from lumbricus.plot.command import main  # noqa: E402
+from lumbricus.plot.fields import (  # noqa: E402
     MEAN_WEIGHTS, have_no_partner, nodes_of_cells, read_grid, read_series)
-from lumbricus_plot.scene import LIQUID_COLOURS, MUSCLE_COLOURS  # noqa: E402
-from lumbricus_plot.surface import Faces  # noqa: E402
-from lumbricus_plot.tables import read_description  # noqa: E402
+from lumbricus.plot.scene import LIQUID_COLOURS, MUSCLE_COLOURS  # noqa: E402
+from lumbricus.plot.surface import Faces  # noqa: E402
+from lumbricus.plot.tables import read_description  # noqa: E402
 
 # The ends and the middle of every edge of VTK's quadratic hexahedra.
 EDGES = np.array([[0, 1, 8], [1, 2, 9], [2, 3, 10], [3, 0, 11], [4, 5, 12],

@@ -9,12 +9,12 @@ import pytest
 from lumbricus_run import SOURCE, run_well
 from PIL import Image
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from lumbricus_plot.body import Body  # noqa: E402
-from lumbricus_plot.command import main  # noqa: E402
-from lumbricus_plot.fields import (  # noqa: E402
+sys.path.insert(0, str(SOURCE / "python" / "src"))
+from lumbricus.plot.body import Body  # noqa: E402
+from lumbricus.plot.command import main  # noqa: E402
+from lumbricus.plot.fields import (  # noqa: E402
     FACES, nodes_of_cells, read_grid, read_series)
-from lumbricus_plot.surface import Faces  # noqa: E402
+from lumbricus.plot.surface import Faces  # noqa: E402
 
 # The ends of every edge of VTK's quadratic hexahedra.
 EDGES = np.array([[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7],

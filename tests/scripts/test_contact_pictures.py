@@ -11,11 +11,11 @@ import pytest
 from lumbricus_run import SOURCE, go_on, run_well
 from PIL import Image
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from lumbricus_plot.anchors import ANCHORED, FREE, SLIDES, anchored  # noqa: E402
-from lumbricus_plot.command import main  # noqa: E402
-from lumbricus_plot.energy import read_work  # noqa: E402
-from lumbricus_plot.fields import (  # noqa: E402
+sys.path.insert(0, str(SOURCE / "python" / "src"))
+from lumbricus.plot.anchors import ANCHORED, FREE, SLIDES, anchored  # noqa: E402
+from lumbricus.plot.command import main  # noqa: E402
+from lumbricus.plot.energy import read_work  # noqa: E402
+from lumbricus.plot.fields import (  # noqa: E402
     read_grid, read_obstacles, read_series)
 
 GROUND = SOURCE / "tests" / "physics" / "ground.prm"

@@ -11,8 +11,8 @@ import pyvista
 
 from lumbricus_run import SOURCE, resolved, run, run_well
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-from lumbricus_plot.command import main  # noqa: E402
+sys.path.insert(0, str(SOURCE / "python" / "src"))
+from lumbricus.plot.command import main  # noqa: E402
 
 BLOCK = SOURCE / "tests" / "errors" / "block.prm"
 NAMES = ["circular muscle", "M&M", "a<b>", 'tibialis "anterior"', "Längsmuskel",

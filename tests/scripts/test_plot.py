@@ -17,8 +17,8 @@ from PIL import Image
 from lumbricus_run import SOURCE, run_well
 
 SCRIPTS = SOURCE / "scripts"
-sys.path.insert(0, str(SCRIPTS))
-from lumbricus_plot.command import main  # noqa: E402
+sys.path.insert(0, str(SOURCE / "python" / "src"))
+from lumbricus.plot.command import main  # noqa: E402
 
 PICTURES = ["picture.png", "kymograph.png", "segments.png",
             "convergence.png"]

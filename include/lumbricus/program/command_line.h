@@ -18,6 +18,7 @@ namespace lumbricus
     bool                     version    = false; ///< --version
     bool                     parameters = false; ///< --parameters, perhaps of a file
     bool                     check      = false; ///< --check
+    bool                     values     = false; ///< --values, a check that says them
     bool                     quiet      = false; ///< --quiet
     bool                     verbose    = false; ///< --verbose
     bool                     progress   = false; ///< --progress

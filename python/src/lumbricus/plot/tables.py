@@ -1,18 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the folder of a run says of itself, and its tables. Needs NumPy only."""
-
-import json
-import pathlib
+"""What the folder of a run says of itself, and its tables as arrays."""
 
 import numpy as np
 
-DESCRIPTION = "run.json"
-
-
-def read_description(folder):
-    """What is in run.json, see doc/results.md."""
-    file_name = pathlib.Path(folder) / DESCRIPTION
-    return json.loads(file_name.read_text(encoding="utf-8"))
+from ..results import DESCRIPTION as DESCRIPTION
+from ..results import read_description as read_description
 
 
 def values_of(description):

@@ -2,6 +2,7 @@
 """The fields of a run: quadratic hexahedra with 27 nodes each, which no two
 cells share. pyvista reads them; here is what their nodes are."""
 
+import os
 import pathlib
 import warnings
 
@@ -28,7 +29,8 @@ MIRRORED = np.array([1, 0, 3, 2, 5, 4, 7, 6, 8, 11, 10, 9, 12, 15, 14, 13,
                      17, 16, 19, 18, 21, 20, 22, 23, 24, 25, 26])
 
 
-def read_series(folder, name="solution.pvd"):
+def read_series(folder: str | os.PathLike[str], name: str = "solution.pvd"
+                ) -> list[tuple[float, pathlib.Path]]:
     """(time, file) of all times in a PVD file; those of solution.pvd are PVTU
     files."""
     folder = pathlib.Path(folder)
@@ -37,7 +39,7 @@ def read_series(folder, name="solution.pvd"):
             for data_set in reader.datasets]
 
 
-def read_grid(pvtu_file):
+def read_grid(pvtu_file: str | os.PathLike[str]) -> pyvista.UnstructuredGrid:
     """All cells of all ranks at one time; the points are those at rest."""
     # A missing piece would only be a warning; here it is an error, said once.
     with (pyvista.VtkErrorCatcher(raise_errors=True, send_to_logging=False),

@@ -1,2 +1,0 @@
-# SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parts of scripts/lumbricus-plot, which draws a run and reports on it."""
