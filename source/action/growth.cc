@@ -38,7 +38,7 @@ namespace lumbricus
   {
   public:
     double
-    strength(const double /*theta*/) const override
+    strength(const double /*theta*/, const double /*tension*/) const override
     {
       return 0.; // no direction is different from others
     }
@@ -63,7 +63,7 @@ namespace lumbricus
   {
   public:
     double
-    strength(const double theta) const override
+    strength(const double theta, const double /*tension*/) const override
     {
       return 2. / 3. * std::log(theta);
     }
