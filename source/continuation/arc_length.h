@@ -4,24 +4,18 @@
 
 #include <lumbricus/continuation/continuation.h>
 
-#include <array>
-
-#include "path_direction.h"
+#include "path_way.h"
 
 namespace lumbricus
 {
   /**
    * Steps along the path of equilibria, wherever it leads: past limit points, where
-   * the load parameter t turns. With the way (v, w) of the last step, made as long as
-   * 1 by a PathMetric, a step of length s ends in the plane
-   *
-   *   <(v, w), (u - u_n, t - t_n)> = s
-   *
-   * (Keller 1977, "Numerical solution of bifurcation and nonlinear eigenvalue
-   * problems"; Riks 1979). Newton's method starts at (u_n, t_n) + s (v, w). Where
-   * a step turns by more than 'Largest turn' it is taken again, shorter; that angle
-   * says how long the next one is, and not how many iterations there were, which
-   * hang on rounding. The first step is one in time.
+   * the load parameter t turns: each ends in a plane across the way of the last one,
+   * see PathWay (Keller 1977, "Numerical solution of bifurcation and nonlinear
+   * eigenvalue problems"; Riks 1979). Where a step turns by more than 'Largest
+   * turn' it is taken again, shorter; that angle says how long the next one is, and
+   * not how many iterations there were, which hang on rounding. The first step is
+   * one in time.
    */
   class ArcLength : public Continuation
   {
@@ -62,35 +56,31 @@ namespace lumbricus
     set_numbers(const Numbers &numbers) override;
 
   private:
-    /** The first step, and one to a time at which the run ends. Throws
+    /** The first step, to time @p to, which the metric is made by. Throws
      * ExcNotConverged. */
     State
-    step_in_time(ChainModel   &model,
-                 const State  &state,
-                 const double  to,
-                 const Vector &guess,
-                 StepRecord   &step) const;
+    first_step(ChainModel  &model,
+               const State &state,
+               const double to,
+               StepRecord  &step);
 
-    /** One as long as @p distance in direction @p way, with the metric's row of
-     * that. Throws ExcNotConverged. */
+    /** One as long as is wanted, or to the end of the run if that comes first:
+     * @p to is the time expected. Throws ExcNotConverged. */
     State
-    step_along(ChainModel          &model,
-               const State         &state,
-               const PathDirection &way,
-               const Vector        &row,
-               const double         distance,
-               StepRecord          &step) const;
+    step_along(const ChainModel &model,
+               const PathWay    &way,
+               const double      to,
+               StepRecord       &step) const;
 
-    /** The highest or lowest time that the path comes to near @p state, between
-     * three points of the @p times that are at these @p distances from there: by
-     * parabolas and steps to where they turn, which are not kept. */
-    double
-    turning_time(ChainModel                  &model,
-                 const State                 &state,
-                 const PathDirection         &way,
-                 const Vector                &row,
-                 const std::array<double, 3> &times,
-                 const std::array<double, 3> &distances) const;
+    /** Say how long the step after the one from @p state to @p next is to be, and
+     * whether the path turns back.
+     * @return whether it is to be kept; if not it has to be shorter. */
+    bool
+    goes_on(const PathWay &way,
+            const State   &state,
+            const State   &next,
+            StepRecord    &step,
+            Log           &log);
 
     /** A step did not converge for the reason @p why: shorten the next. Throws
      * ExcSolveFailed. */
@@ -103,6 +93,7 @@ namespace lumbricus
 
     double largest_turn = 20.;
     double end_length   = 0.;
+    double smallest     = 0.;
 
     double length       = 0.;
     double size         = 0.;

@@ -101,6 +101,20 @@ def test_muscles_lead_where_they_do_in_time(tmp_path, liquid):
         assert row["newton_iterations"] <= 8 * row["solves"]
 
 
+def test_a_corner_is_gone_round_or_named(tmp_path):
+    """Where the loads have a corner the path turns in no length at all."""
+    corner = [*ALONG, "Muscles/fibres/Active stretch=expression",
+              "Muscles/fibres/expression/Formula=1 - 0.2*abs(sin(t))",
+              "Time/End=6", "Time/Largest step=0.3"]
+    result = run(HERE / "twitch.prm", tmp_path / "named", corner)
+    assert result.exit_code == 2, result.log
+    for word in ["however short a step is", "'Path/arc length/Largest turn'"]:
+        assert word in result.said(), result.message
+    round_it = run_well(HERE / "twitch.prm", tmp_path / "round",
+                        [*corner, "Path/arc length/Largest turn=90"])
+    assert round_it.last()["t"] == 6
+
+
 @pytest.mark.parametrize("case, settings, words", [
     ("chain.prm", ["Boundary conditions/Names=skin", "Boundary conditions/skin/"
                    "Boundary=skin", "Boundary conditions/skin/Type=drag",
