@@ -17,18 +17,18 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]
 from lumbricus.plot import figures  # noqa: E402
 from lumbricus.plot.tables import read_table  # noqa: E402
 
-RADIUS, WALL, SHEAR = 10.0, 0.5, 0.46  # mm, mm, N/mm^2: twice the a of case.prm
+RADIUS, WALL, A = 10.0, 0.5, 0.23  # mm, mm, N/mm^2: those of case.prm
 PER_TIME = 0.01426  # N/mm^2
 
 
 def pressure(stretch):
-    """int mu (l^2 - l^-4) dr/r [N/mm^2] through the wall, at hoop stretches inside,
+    """int 2 a (l^2 - l^-4) dr/r [N/mm^2] through the wall, at hoop stretches inside,
     by the rule of Gauss and Legendre."""
     points, weights = np.polynomial.legendre.leggauss(20)
     rest = RADIUS + 0.5 * WALL * (1 + points)
     now = np.cbrt(rest**3 + RADIUS**3 * (np.atleast_1d(stretch)[:, None]**3 - 1))
     hoop = now / rest
-    return 0.5 * WALL * np.sum(weights * SHEAR * (hoop**2 - hoop**-4) *
+    return 0.5 * WALL * np.sum(weights * 2 * A * (hoop**2 - hoop**-4) *
                                rest**2 / now**3, axis=1)
 
 
