@@ -13,6 +13,10 @@
 #include <algorithm>
 #include <optional>
 #include <sstream>
+#include <string>
+#include <utility>
+
+#include "bifurcation.h"
 
 namespace lumbricus
 {
@@ -77,6 +81,59 @@ namespace lumbricus
                       "which the first step is 'Time/First step' long; 0: at "
                       "'Time/End', or at rest again.",
                       dealii::Patterns::Double(0.));
+    prm.add_parameter("Follow branch",
+                      follows_branch,
+                      "Whether to look for the first bifurcation, where the body "
+                      "buckles, and to go on along the branch that begins there, "
+                      "to the side of the softest motion. Takes half a load step "
+                      "or so in each before it.");
+  }
+
+
+
+  void
+  ArcLength::follow_a_branch(ChainModel  &model,
+                             const State &state,
+                             State       &next,
+                             StepRecord  &step,
+                             Log         &log)
+  {
+    const auto   motion = softest_motion(model, next);
+    const double last   = std::exchange(stiffness,
+                                      motion ? motion->stiffness : 0.);
+    // Where the time turns the path itself does what is soft.
+    const bool turns = !state.past.empty() &&
+                       (next.time - state.time) *
+                           (state.time - state.past.front().time) <
+                         0.;
+    if (!(last > 0.) || !(stiffness < 0.) || turns)
+      return;
+    // Both branches come from where it is zero.
+    const double part = last / (last - stiffness);
+    State::Past  fork{state.time + part * (next.time - state.time),
+                     state.solution};
+    fork.solution.sadd(1. - part, part, next.solution);
+    log << "        another branch begins at the time " << fork.time
+        << " or so, in a motion that is largest in "
+        << place_of(model, next, *motion) << ": this run follows it\n";
+    const PathWay aside(model, next, displacement, motion->v);
+    for (double distance = size; distance >= smallest; distance *= 0.5)
+      try
+        {
+          next      = aside.step(distance, step);
+          next.past = {fork};
+          length += aside.length_to(next);
+          branched = true;
+          return;
+        }
+      catch (const ExcNotConverged &)
+        {
+          ++step.n_cuts;
+        }
+    AssertThrow(false,
+                ExcNotConverged("No equilibrium aside of the path is found at its "
+                                "bifurcation. Set 'Path/arc length/Follow branch' "
+                                "to false, or choose smaller steps"));
   }
 
 
@@ -145,10 +202,12 @@ namespace lumbricus
         watch.begin_step(number, to);
         try
           {
-            const State next = way ? step_along(model, *way, to, step) :
-                                     first_step(model, state, to, step);
+            State next = way ? step_along(model, *way, to, step) :
+                               first_step(model, state, to, step);
             if (way && !goes_on(*way, state, next, step, log))
               continue;
+            if (follows_branch && !branched)
+              follow_a_branch(model, state, next, step, log);
             step.time = next.time;
             step.size = next.time - state.time;
             state     = next;
@@ -281,7 +340,9 @@ namespace lumbricus
   {
     return {{"length", length},
             {"step_size", size},
-            {"displacement", displacement}};
+            {"displacement", displacement},
+            {"stiffness", stiffness},
+            {"branched", branched ? 1. : 0.}};
   }
 
 
@@ -289,11 +350,15 @@ namespace lumbricus
   bool
   ArcLength::set_numbers(const Numbers &numbers)
   {
-    if (numbers.size() != 3 || numbers.count("length") == 0 ||
-        numbers.count("step_size") == 0 || numbers.count("displacement") == 0 ||
-        !(numbers.at("step_size") > 0.) || numbers.at("length") < 0. ||
-        numbers.at("displacement") < 0.)
+    for (const std::string name :
+         {"length", "step_size", "displacement", "stiffness", "branched"})
+      if (numbers.count(name) == 0)
+        return false;
+    if (numbers.size() != 5 || !(numbers.at("step_size") > 0.) ||
+        numbers.at("length") < 0. || numbers.at("displacement") < 0.)
       return false;
+    stiffness    = numbers.at("stiffness");
+    branched     = numbers.at("branched") != 0.;
     length       = numbers.at("length");
     size         = numbers.at("step_size");
     displacement = numbers.at("displacement");

@@ -48,7 +48,8 @@ namespace lumbricus
 
     /** "length": of the path so far; "step_size": of the step wanted next
      * [time]; "displacement": the T/U of PathMetric [time/mm], 0 before the first
-     * step. */
+     * step; "stiffness" of the softest motion; "branched": whether it has left the
+     * first branch. */
     Numbers
     numbers() const override;
 
@@ -82,6 +83,15 @@ namespace lumbricus
             StepRecord    &step,
             Log           &log);
 
+    /** Where the step from @p state to @p next has passed a bifurcation: put a state
+     * of the other branch into @p next. Throws ExcNotConverged. */
+    void
+    follow_a_branch(ChainModel  &model,
+                    const State &state,
+                    State       &next,
+                    StepRecord  &step,
+                    Log         &log);
+
     /** A step did not converge for the reason @p why: shorten the next. Throws
      * ExcSolveFailed. */
     void
@@ -91,13 +101,18 @@ namespace lumbricus
         const std::string &why,
         Log               &log);
 
-    double largest_turn = 20.;
-    double end_length   = 0.;
-    double smallest     = 0.;
+    double largest_turn   = 20.;
+    double end_length     = 0.;
+    bool   follows_branch = false;
+    double smallest       = 0.;
 
     double length       = 0.;
     double size         = 0.;
     double displacement = 0.;
+    /** Of the softest motion [N/mm^4], where branches are looked for; 0: not
+     * known. */
+    double stiffness = 0.;
+    bool   branched  = false;
   };
 } // namespace lumbricus
 

@@ -123,25 +123,53 @@ namespace lumbricus
       const double s         = -0.5 * slope / curvature;
       return {b.s + s, b.t + 0.5 * slope * s};
     }
+
+
+
+    // From the state before to @p state.
+    PathDirection
+    last_way(const State &state)
+    {
+      const State::Past &before = state.past.front();
+      PathDirection      way{state.solution, state.time - before.time};
+      way.u -= before.solution;
+      return way;
+    }
   } // namespace
+
+
+
+  PathWay::PathWay(ChainModel          &model,
+                   const State         &state,
+                   const double         displacement,
+                   const PathDirection &direction)
+    : model(model)
+    , state(state)
+    , metric(model.body, model.assembler.tangent().unknowns, displacement)
+    , way(direction)
+    , last_length(metric.length(way))
+  {
+    way.u *= 1. / last_length;
+    way.t /= last_length;
+    row = metric.row(way.u);
+  }
 
 
 
   PathWay::PathWay(ChainModel  &model,
                    const State &state,
                    const double displacement)
-    : model(model)
-    , state(state)
-    , metric(model.body, model.assembler.tangent().unknowns, displacement)
-  {
-    const State::Past &before = state.past.front();
-    way                       = {state.solution, state.time - before.time};
-    way.u -= before.solution;
-    last_length = metric.length(way);
-    way.u *= 1. / last_length;
-    way.t /= last_length;
-    row = metric.row(way.u);
-  }
+    : PathWay(model, state, displacement, last_way(state))
+  {}
+
+
+
+  PathWay::PathWay(ChainModel   &model,
+                   const State  &state,
+                   const double  displacement,
+                   const Vector &aside)
+    : PathWay(model, state, displacement, PathDirection{aside, 0.})
+  {}
 
 
 

@@ -23,6 +23,13 @@ namespace lumbricus
      * Both are kept by reference. */
     PathWay(ChainModel &model, const State &state, const double displacement);
 
+    /** Aside from @p state, in a direction @p aside in which the time does not
+     * change at first. */
+    PathWay(ChainModel   &model,
+            const State  &state,
+            const double  displacement,
+            const Vector &aside);
+
     /** The change of the time in it, for a length of 1. */
     double
     by_time() const
@@ -62,6 +69,12 @@ namespace lumbricus
     turning_time(const State &next, const double distance) const;
 
   private:
+    /** In this direction, which is made as long as 1. */
+    PathWay(ChainModel          &model,
+            const State         &state,
+            const double         displacement,
+            const PathDirection &direction);
+
     /** From the state here to another. */
     PathDirection
     direction_to(const State &next) const;
