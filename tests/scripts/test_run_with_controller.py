@@ -27,7 +27,8 @@ SHORT = ["Time/End=0.1", "Time/First step=0.05", "Time/Largest step=0.05",
 def checkout(tmp_path):
     """A folder that looks like that of the project, as far as the scripts see."""
     folder = tmp_path / "checkout"
-    shutil.copytree(SOURCE / "scripts", folder / "scripts")
+    for name in ("scripts", "python/src"):
+        shutil.copytree(SOURCE / name, folder / name)
     with open(folder / "scripts" / "environment.sh", "a") as file:
         file.write(NOTHING_TO_DO.format(repository=folder, python=sys.executable))
     for name in ("oscillators", "reflex"):
