@@ -144,6 +144,7 @@ namespace lumbricus
     const auto          volumes = cavity_volumes(body, relevant);
     Vector              at_rest(relevant);
     at_rest = 0.;
+    at_rest.update_ghost_values(); // they are there, but not known to be
     const auto volumes_at_rest = cavity_volumes(body, at_rest);
 
     const MaterialPoint passive;

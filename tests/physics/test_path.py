@@ -67,6 +67,9 @@ def test_it_takes_no_more_than_where_the_volume_is_given(tmp_path, balloon):
 
 
 def test_two_ranks(tmp_path, balloon):
+    """The program with deal.II's assertions said that the volume of a cavity at rest,
+    for its picture, was read where ghost entries were not known; this runs with them
+    too."""
     again = run_well(SPHERE, tmp_path / "run",
                      [*BALLOON, *TO_THE_END, f"{LENGTH}=9"], ranks=2)
     equal(balloon.segments(), again.segments(), 1e-9)
