@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from .figures import choose_times
+from .figures import choose_times, goes_back
 from .film import write_gif, write_mp4
 from .panels import Panels, read_drawings
 
@@ -13,10 +13,11 @@ LAST_SECONDS = 1.0
 
 
 def seconds_of_frames(times):
-    """How long to show each, in proportion to the time until the next."""
+    """How long to show each, in proportion to the time until the next, or equally
+    long where times go back."""
     if len(times) == 1:
         return [LAST_SECONDS]
-    steps = np.diff(times)
+    steps = np.ones(len(times) - 1) if goes_back(times) else np.diff(times)
     seconds = SECONDS_A_FRAME * len(steps) * steps / steps.sum()
     return [*np.clip(seconds, 0.04, 1).round(2), LAST_SECONDS]
 

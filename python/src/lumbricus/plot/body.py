@@ -59,9 +59,12 @@ class Body:
         planes = self.cut(points)
         if planes:
             middle = points[nodes[:, MIDDLE]]
-            behind = [(middle[:, d] - position) * VIEW.normal[d] < 0
-                      for d, position in planes]
-            nodes = nodes[np.any(behind, axis=0)]
+            behind = np.any([(middle[:, d] - position) * VIEW.normal[d] < 0
+                             for d, position in planes], axis=0)
+            # One that is all before the planes stays whole.
+            if not behind.any():
+                return grid_of(points, nodes, fields), []
+            nodes = nodes[behind]
         return grid_of(points, nodes, fields), planes
 
 

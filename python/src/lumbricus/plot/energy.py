@@ -17,11 +17,13 @@ def read_work(file_name):
     """The times, and for every (kind, name) the sum of the work until each."""
     with open(file_name, encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
-    times = np.unique([float(row["t"]) for row in rows])
+    # In the order of the steps, in which the time may go back.
+    place = {t: k for k, t in enumerate(dict.fromkeys(row["t"] for row in rows))}
+    times = np.array([float(t) for t in place])
     sums = {}
     for row in rows:
         work = sums.setdefault((row["kind"], row["name"]), np.zeros(len(times)))
-        work[np.searchsorted(times, float(row["t"]))] += float(row["work"])
+        work[place[row["t"]]] += float(row["work"])
     return times, {key: np.cumsum(work) for key, work in sums.items()}
 
 

@@ -4,6 +4,7 @@ cells share. pyvista reads them; here is what their nodes are."""
 
 import os
 import pathlib
+import re
 import warnings
 
 import numpy as np
@@ -31,12 +32,14 @@ MIRRORED = np.array([1, 0, 3, 2, 5, 4, 7, 6, 8, 11, 10, 9, 12, 15, 14, 13,
 
 def read_series(folder: str | os.PathLike[str], name: str = "solution.pvd"
                 ) -> list[tuple[float, pathlib.Path]]:
-    """(time, file) of all times in a PVD file; those of solution.pvd are PVTU
-    files."""
+    """(time, file) of all times in a PVD file, in the order of the steps, whose
+    numbers the files have: along a path times may go back, and the reader sorts by
+    them. Those of solution.pvd are PVTU files."""
     folder = pathlib.Path(folder)
     reader = pyvista.get_reader(str(folder / name))
-    return [(data_set.time, folder / data_set.path)
-            for data_set in reader.datasets]
+    data_sets = sorted(reader.datasets, key=lambda data_set: int(
+        re.findall(r"\d+", pathlib.Path(data_set.path).name)[0]))
+    return [(data_set.time, folder / data_set.path) for data_set in data_sets]
 
 
 def read_grid(pvtu_file: str | os.PathLike[str]) -> pyvista.UnstructuredGrid:

@@ -17,9 +17,18 @@ def save(figure, file_name):
     plt.close(figure)
 
 
+def goes_back(times):
+    """Whether a run went along a path on which the load parameter turned."""
+    return bool(np.any(np.diff(times) < 0))
+
+
 def choose_times(series, wanted, n):
-    """The entries nearest to the times wanted, or n evenly spaced ones."""
+    """The entries nearest to the times wanted, or n evenly spaced ones: over the
+    time, or over the path where the time goes back."""
     times = np.array([t for t, _ in series])
+    if not wanted and goes_back(times):
+        return [series[i] for i in np.unique(
+            np.linspace(0, len(times) - 1, min(n, len(times))).round().astype(int))]
     if not wanted:
         wanted = np.linspace(times[0], times[-1], min(n, len(times)))
     return [series[i] for i in

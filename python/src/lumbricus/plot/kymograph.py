@@ -8,7 +8,7 @@ from matplotlib.colors import FuncNorm, Normalize
 from .activation import activation_of
 from .captions import no_formula
 from .fields import MEAN_WEIGHTS, MIDDLE, nodes_of_cells
-from .figures import INCHES, cell_borders, choose_times, save
+from .figures import INCHES, cell_borders, choose_times, goes_back, save
 from .scene import MUSCLE_COLOURS
 from .summary import extreme
 
@@ -108,11 +108,18 @@ def draw_kymograph(run, file_name):
         gridspec_kw={"height_ratios": heights})
     grid = grid[:, 0]
     numbers = run.segment_numbers
+    over_steps = goes_back(run.times)
+
+    def places(times):
+        """Over the steps where the time goes back."""
+        return np.array([np.argmin(np.abs(run.times - t)) for t in times]) \
+            if over_steps else times
+
     rows = np.arange(len(numbers) + 1) - 0.5
     for axes, (title, unit, times, values, colours, norm) in zip(grid, shown):
         # Where a segment has no such muscle.
         axes.set_facecolor("#d9d9d9")
-        mesh = axes.pcolormesh(borders(times), rows,
+        mesh = axes.pcolormesh(borders(places(times)), rows,
                                np.ma.masked_invalid(values.T), cmap=colours,
                                norm=norm, rasterized=True)
         every = max(1, -(-len(numbers) // 8))
@@ -128,8 +135,8 @@ def draw_kymograph(run, file_name):
         bar.formatter.set_useOffset(False)
         bar.ax.tick_params(labelsize=7)
         bar.ax.yaxis.get_offset_text().set_fontsize(7)
-    grid[-1].set_xlabel("time", fontsize=8)
-    grid[-1].set_xlim(run.times[0], run.times[-1])
+    grid[-1].set_xlabel("step" if over_steps else "time", fontsize=8)
+    grid[-1].set_xlim(*places(run.times)[[0, -1]])
     figure.suptitle(run.figure_title(), fontsize=11)
     save(figure, file_name)
     return n_muscles > 0

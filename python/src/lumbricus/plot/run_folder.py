@@ -80,7 +80,8 @@ class RunFolder:
              "fluid_pressure", "eta", "resets", "fluid_mesh_quality",
              "wall_mesh_quality"])
         t = self.segments["t"]
-        n_rows = int(np.sum(t == t[0])) if len(t) else 0
+        # Of the first step only: a path may come back to its time.
+        n_rows = int(np.argmax(np.append(t, np.nan) != t[0])) if len(t) else 0
         if n_rows == 0 or len(t) < 2 * n_rows:
             raise PlotError(
                 f"The table '{self.path / 'segments.csv'}' has no load step "
