@@ -77,7 +77,7 @@ for wavelength, stride in found.items():
 assert found[best] > 1.3 * found[3]
 
 # %% [markdown]
-# The long wave is as one dimension says to 7 %. Of the short one it promises nearly twice what
-# comes: there septa pull at segments that are thin, and thin segments are lifted off by
-# thick ones beside them, neither of which it knows. So it finds gaits, and three
-# dimensions say what they are worth.
+# The long wave is as one dimension says to 7 %. Of the short one it promises nearly
+# twice what comes: there septa pull at segments that are thin, and thin segments are
+# lifted off by thick ones beside them, neither of which it knows. So it finds gaits, and
+# three dimensions say what they are worth.
