@@ -56,8 +56,8 @@ namespace lumbricus
           log << "        the body is not stable any more: its stiffness in a "
                  "motion that is largest in "
               << stability.place(softest)
-              << " is negative.\n        A real body would buckle there; what "
-                 "follows is the equilibrium that it leaves.\n";
+              << " is negative.\n        A real body would buckle or snap "
+                 "there; what follows is the equilibrium that it leaves.\n";
         return softest.stiffness;
       }
     catch (const ExcNotConverged &)
