@@ -3,6 +3,7 @@
 
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/discretization/displacement_before.h>
+#include <lumbricus/equilibrium/stability.h>
 #include <lumbricus/parameters/registry.h>
 #include <lumbricus/program/diagnosis.h>
 #include <lumbricus/program/run_watch.h>
@@ -15,8 +16,6 @@
 #include <sstream>
 #include <string>
 #include <utility>
-
-#include "bifurcation.h"
 
 namespace lumbricus
 {
@@ -98,9 +97,20 @@ namespace lumbricus
                              StepRecord  &step,
                              Log         &log)
   {
-    const auto   motion = softest_motion(model, next);
-    const double last   = std::exchange(stiffness,
-                                      motion ? motion->stiffness : 0.);
+    const double last = std::exchange(stiffness, 0.);
+    model.set_to(next);
+    model.equilibrium.linearise({next.solution, next.globals});
+    const Stability   stability = model.stability();
+    Stability::Motion softest;
+    try
+      {
+        softest = stability.softest_motion();
+      }
+    catch (const ExcNotConverged &)
+      {
+        return; // the tangent is singular
+      }
+    stiffness = softest.stiffness;
     // Where the time turns the path itself does what is soft.
     const bool turns = !state.past.empty() &&
                        (next.time - state.time) *
@@ -115,8 +125,8 @@ namespace lumbricus
     fork.solution.sadd(1. - part, part, next.solution);
     log << "        another branch begins at the time " << fork.time
         << " or so, in a motion that is largest in "
-        << place_of(model, next, *motion) << ": this run follows it\n";
-    const PathWay aside(model, next, displacement, motion->v);
+        << stability.place(softest) << ": this run follows it\n";
+    const PathWay aside(model, next, displacement, softest.v);
     for (double distance = size; distance >= smallest; distance *= 0.5)
       try
         {
@@ -350,11 +360,15 @@ namespace lumbricus
   bool
   ArcLength::set_numbers(const Numbers &numbers)
   {
-    for (const std::string name :
-         {"length", "step_size", "displacement", "stiffness", "branched"})
-      if (numbers.count(name) == 0)
-        return false;
-    if (numbers.size() != 5 || !(numbers.at("step_size") > 0.) ||
+    const Numbers own = this->numbers();
+    if (!std::equal(numbers.begin(),
+                    numbers.end(),
+                    own.begin(),
+                    own.end(),
+                    [](const auto &a, const auto &b) {
+                      return a.first == b.first;
+                    }) ||
+        !(numbers.at("step_size") > 0.) ||
         numbers.at("length") < 0. || numbers.at("displacement") < 0.)
       return false;
     stiffness    = numbers.at("stiffness");

@@ -55,20 +55,20 @@ namespace lumbricus
         way.u -= state.solution;
         return {(metric.product(row, by_time, way) - distance) / unit,
                 8. * std::numeric_limits<double>::epsilon() *
-                  (1. + std::abs(t) / unit),
-                scaled_row(),
-                0.5 * by_time / unit};
+                  (1. + std::abs(t) / unit)};
+      }
+
+      // The same everywhere: it is a plane.
+      Derivatives
+      derivatives(const Vector & /*solution*/,
+                  const double /*t*/) const override
+      {
+        BorderVector by_u(row);
+        by_u.scale(1. / unit);
+        return {by_u, 0.5 * by_time / unit};
       }
 
     private:
-      BorderVector
-      scaled_row() const
-      {
-        BorderVector scaled(row);
-        scaled.scale(1. / unit);
-        return scaled;
-      }
-
       ChainModel       &model;
       const PathMetric &metric;
       const State      &state;

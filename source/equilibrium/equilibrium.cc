@@ -140,7 +140,8 @@ namespace lumbricus
     const auto         equation = load->equation(x.solution, t);
     if (with_tangent)
       {
-        const double h = load->difference();
+        const auto   derivatives = load->derivatives(x.solution, t);
+        const double h           = load->difference();
         Vector       column, ahead;
         assembler.residual(x.solution, time, column);
         const Border rows = border_at(x, nullptr, column);
@@ -157,10 +158,10 @@ namespace lumbricus
           corner.fill(all.corner);
         for (unsigned int k = 0; k < n; ++k)
           corner(k, n) = (rows_ahead.residual[k] - rows.residual[k]) / h;
-        corner(n, n) = equation.by_t;
+        corner(n, n) = derivatives.by_t;
         all.corner   = corner;
         all.columns.emplace_back(column);
-        all.rows.push_back(equation.by_u);
+        all.rows.push_back(derivatives.by_u);
       }
     all.names.emplace_back(LoadUnknown::name, 1);
     all.residual.push_back(equation.residual);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 extern "C" void
 strsv_(const char                    *uplo,
@@ -168,7 +169,7 @@ namespace lumbricus
                            const bool         is_there)
   {
     const unsigned int n = matrix.m(), n_rows = end - first;
-    told.assign(std::size_t(n_rows) * (n - first) + 1, 0.);
+    std::vector<float> told(std::size_t(n_rows) * (n - first) + 1, 0.);
     if (group.own() == i)
       {
         for (unsigned int s = first; s < n; ++s)

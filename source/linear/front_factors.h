@@ -5,8 +5,6 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <vector>
-
 #include "rank_group.h"
 
 namespace lumbricus
@@ -25,12 +23,7 @@ namespace lumbricus
   {
   public:
     /** Block rows have so many rows. */
-    static constexpr unsigned int default_block_size = 128;
-
-    /** With block rows of this many rows. */
-    explicit FrontFactors(const unsigned int block_size = default_block_size)
-      : block_size(block_size)
-    {}
+    static constexpr unsigned int block_size = 128;
 
     /** Make F a matrix of zeros of this @p size; zero ends it. */
     void
@@ -86,10 +79,8 @@ namespace lumbricus
                const unsigned int i,
                const bool         is_there);
 
-    const unsigned int              block_size;
     dealii::LAPACKFullMatrix<float> matrix; // F^T, by columns
     bool                            is_definite = false;
-    std::vector<float>              told;
   };
 } // namespace lumbricus
 

@@ -32,7 +32,8 @@ namespace lumbricus
   public:
     /** With the unknowns @p shared of this rank; those of no cell have numbers
      * from @p first_more on; rows of fronts with @p least_shared entries or more
-     * are shared; their matrix may be known to be @p symmetric. Collective, as are factor() and solve(). */
+     * are shared; their matrix may be known to be @p symmetric. Collective, as are
+     * factor() and solve(). */
     FrontTree(const RankTree                   &tree,
               const std::vector<SharedUnknown> &shared,
               const unsigned int                first_more,

@@ -319,6 +319,17 @@ namespace lumbricus
 
 
 
+  Stability
+  ChainModel::stability() const
+  {
+    return Stability(body,
+                     assembler.tangent(),
+                     equilibrium.linearised_border(),
+                     *parameters.linear_solver.get());
+  }
+
+
+
   IsSlipInterface
   ChainModel::is_slip_interface() const
   {

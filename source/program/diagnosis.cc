@@ -72,10 +72,7 @@ namespace lumbricus
            const LoadTime &now,
            const LoadTime &next)
   {
-    const Stability    stability(model.body,
-                              model.assembler.tangent(),
-                              model.equilibrium.linearised_border(),
-                              *model.parameters.linear_solver.get());
+    const Stability    stability = model.stability();
     std::ostringstream words;
     try
       {

@@ -34,10 +34,7 @@ namespace lumbricus
     dealii::TimerOutput::Scope scope(model.timer, "stability");
     model.set_to(state);
     model.equilibrium.linearise({state.solution, state.globals});
-    const Stability stability(model.body,
-                              model.assembler.tangent(),
-                              model.equilibrium.linearised_border(),
-                              *model.parameters.linear_solver.get());
+    const Stability stability = model.stability();
     try
       {
         auto softest = stability.softest_motion();

@@ -39,16 +39,25 @@ namespace lumbricus
     /** The equation n = 0. */
     struct Equation
     {
-      double       residual; ///< n [-]
-      double       rounding; ///< what rounding makes of n
-      BorderVector by_u;     ///< dn/du in the free unknowns [1/mm]
-      double       by_t;     ///< dn/dt [1/time]
+      double residual; ///< n [-]
+      double rounding; ///< what rounding makes of n
+    };
+
+    /** Its derivatives. */
+    struct Derivatives
+    {
+      BorderVector by_u; ///< dn/du in the free unknowns [1/mm]
+      double       by_t; ///< dn/dt [1/time]
     };
 
     /** The equation at the displacements and pressures @p solution and the loads
      * at @p t. Collective. */
     virtual Equation
     equation(const Vector &solution, const double t) const = 0;
+
+    /** Its derivatives there. */
+    virtual Derivatives
+    derivatives(const Vector &solution, const double t) const = 0;
   };
 } // namespace lumbricus
 

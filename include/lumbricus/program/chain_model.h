@@ -8,6 +8,7 @@
 #include <lumbricus/equilibrium/equilibrium.h>
 #include <lumbricus/measures/body_motion.h>
 #include <lumbricus/measures/contact_state.h>
+#include <lumbricus/equilibrium/stability.h>
 #include <lumbricus/measures/external_forces.h>
 #include <lumbricus/measures/step_work.h>
 #include <lumbricus/program/run_parameters.h>
@@ -108,6 +109,11 @@ namespace lumbricus
     /** Before a load step from @p state: see ResetIteration::relax_mesh(). */
     LiquidMesh::Relaxation
     relax_liquid_mesh(State &state);
+
+    /** How stable the body is as the equilibrium was linearised last. Keeps this by
+     * reference. */
+    Stability
+    stability() const;
 
     /** Between which materials liquid slips along the wall. */
     IsSlipInterface
