@@ -7,6 +7,7 @@ import pathlib
 import sys
 
 import pytest
+import thick_sphere
 from lumbricus_run import SOURCE, go_on, run_well
 
 sys.path.insert(0, str(SOURCE / "parameters" / "balloon"))
@@ -57,15 +58,7 @@ end
 
 
 def pressure(volume, thickness):
-    """p = int 2 a (l^2 - l^-4) dr/r, l = r/R, by Simpson's rule."""
-    growth, n = RADIUS**3 * (volume - 1), 400
-    h = thickness / n
-
-    def f(R):
-        r = (R**3 + growth)**(1 / 3)
-        return 2 * A * ((r / R)**2 - (r / R)**-4) * (R / r)**2 / r
-    return h / 3 * sum((1 if i in (0, n) else 4 if i % 2 else 2) * f(RADIUS + i * h)
-                       for i in range(n + 1))
+    return thick_sphere.pressure(volume, RADIUS, thickness, A)
 
 
 def ball(radius):

@@ -10,6 +10,7 @@ import subprocess
 import sys
 
 import pytest
+import thick_sphere
 from lumbricus_run import SOURCE, run_well
 
 HERE = pathlib.Path(__file__).parent
@@ -133,16 +134,7 @@ def test_gas_in_a_balloon(tmp_path):
     at_rest, outside = 0.101325, 0.03
 
     def pressure(stretch):
-        """p = int 2 a (l^2 - l^-4) dr/r, l = r/R, by Simpson's rule."""
-        growth = radius**3 * (stretch**3 - 1)
-
-        def f(R):
-            r = (R**3 + growth) ** (1 / 3)
-            return 2 * a * ((r / R)**2 - (r / R)**-4) * (R / r)**2 / r
-        n = 200
-        h = thickness / n
-        return h / 3 * sum((1 if i in (0, n) else 4 if i % 2 else 2)
-                           * f(radius + i * h) for i in range(n + 1))
+        return thick_sphere.pressure(stretch**3, radius, thickness, a)
 
     low, high = 1., 1.3
     while high - low > 1e-12:
@@ -306,21 +298,9 @@ def points_in_the_wall(n_around, n_along):
                 3.15 * math.sin(angle)
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
-def test_fibres_from_a_file_are_those_of_the_formula(ranks, tmp_path):
-    """The finer the points the nearer, with the second power of their distance; the
-    wall's ends and its surfaces are beyond them."""
-    base = HERE / "segment.prm"
-    formula = run_well(base, tmp_path / "formula").last()
-    differences = []
-    for n in (8, 32):
-        fibres = tmp_path / f"fibres{n}.csv"
-        with open(fibres, "w") as file:
-            print("x, y, z, fx, fy, fz", file=file)
-            for x, y, z in points_in_the_wall(n, n // 2):
-                print(f"{x}, {y}, {z}, 0, {-z}, {y}", file=file)
-        case = tmp_path / f"case{n}.prm"
-        case.write_text(f"""include {base}
+def segment_with(fibres, case):
+    """A case file: segment.prm with the fibres of that file."""
+    case.write_text(f"""include {HERE / "segment.prm"}
 subsection Muscles
   subsection circular
     set Fibres = file
@@ -330,6 +310,22 @@ subsection Muscles
   end
 end
 """)
+    return case
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_fibres_from_a_file_are_those_of_the_formula(ranks, tmp_path):
+    """The finer the points the nearer, with the second power of their distance; the
+    wall's ends and its surfaces are beyond them."""
+    formula = run_well(HERE / "segment.prm", tmp_path / "formula").last()
+    differences = []
+    for n in (8, 32):
+        fibres = tmp_path / f"fibres{n}.csv"
+        with open(fibres, "w") as file:
+            print("x, y, z, fx, fy, fz", file=file)
+            for x, y, z in points_in_the_wall(n, n // 2):
+                print(f"{x}, {y}, {z}, 0, {-z}, {y}", file=file)
+        case = segment_with(fibres, tmp_path / f"case{n}.prm")
         last = run_well(case, tmp_path / f"out{n}", ranks=ranks).last()
         assert last["fluid_volume"] == pytest.approx(formula["fluid_volume"],
                                                      rel=1e-8)
@@ -344,17 +340,7 @@ def test_fibres_from_a_file_are_the_same_on_two_ranks(tmp_path):
     fibres = tmp_path / "fibres.csv"
     fibres.write_text("".join(f"{x} {y} {z} 0 {-z} {y}\n" for x, y, z in
                               points_in_the_wall(9, 7)))
-    case = tmp_path / "case.prm"
-    case.write_text(f"""include {HERE / "segment.prm"}
-subsection Muscles
-  subsection circular
-    set Fibres = file
-    subsection file
-      set File  = {fibres}
-    end
-  end
-end
-""")
+    case = segment_with(fibres, tmp_path / "case.prm")
     one, two = (run_well(case, tmp_path / str(ranks), [
         "Newton/Force tolerance=1e-12", "Newton/Increment tolerance=1e-12"],
         ranks).segments() for ranks in (1, 2))
