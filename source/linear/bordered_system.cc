@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "bordered_system.h"
-
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/linear/bordered_system.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/linear/bordered_system.h>
 #include <lumbricus/linear/full_factor.h>
 #include <lumbricus/linear/linear_solver.h>
 #include <lumbricus/parameters/registry.h>
@@ -9,8 +10,6 @@
 #include <memory>
 #include <string>
 #include <vector>
-
-#include "bordered_system.h"
 
 namespace lumbricus
 {

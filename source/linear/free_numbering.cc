@@ -20,6 +20,29 @@ namespace lumbricus
             numbered[of_cell[k]] = false;
         }
 
+    Vector layout;
+    unknowns.reinit_vector(layout);
+    number(numbered, layout, comm);
+  }
+
+
+
+  void
+  FreeNumbering::reinit(const Vector &used, const MPI_Comm comm)
+  {
+    std::vector<bool> numbered;
+    for (unsigned int place = 0; place < used.locally_owned_size(); ++place)
+      numbered.push_back(used.local_element(place) > 0.);
+    number(numbered, used, comm);
+  }
+
+
+
+  void
+  FreeNumbering::number(const std::vector<bool> &numbered,
+                        const Vector            &layout,
+                        const MPI_Comm           comm)
+  {
     owned_places.clear();
     for (unsigned int place = 0; place < numbered.size(); ++place)
       if (numbered[place])
@@ -33,7 +56,7 @@ namespace lumbricus
     // The other ranks' numbers come as ghost entries; doubles hold them
     // exactly.
     Vector numbers;
-    unknowns.reinit_vector(numbers);
+    numbers.reinit(layout);
     for (unsigned int k = 0; k < n_owned; ++k)
       numbers.local_element(owned_places[k]) = first + k;
     numbers.update_ghost_values();

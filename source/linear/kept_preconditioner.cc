@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/linear/bordered_system.h>
 #include <lumbricus/linear/flexible_gmres.h>
 #include <lumbricus/linear/kept_preconditioner.h>
 
@@ -8,8 +9,6 @@
 
 #include <algorithm>
 #include <utility>
-
-#include "bordered_system.h"
 
 namespace lumbricus
 {

@@ -14,7 +14,20 @@ namespace lumbricus
   ChainModel::ChainModel(RunParameters       &parameters,
                          dealii::TimerOutput &timer,
                          const MPI_Comm       comm)
+    : ChainModel(parameters,
+                 *parameters.linear_solver.get(),
+                 timer,
+                 comm)
+  {}
+
+
+
+  ChainModel::ChainModel(RunParameters       &parameters,
+                         LinearSolver        &linear_solver,
+                         dealii::TimerOutput &timer,
+                         const MPI_Comm       comm)
     : parameters(parameters)
+    , linear_solver(linear_solver)
     , timer(timer)
     , triangulation(comm)
     , space(triangulation)
@@ -46,7 +59,7 @@ namespace lumbricus
                   assembler,
                   surface_terms,
                   supports,
-                  *parameters.linear_solver.get(),
+                  linear_solver,
                   timer)
     , reset_model{equilibrium,
                   parameters.newton,
@@ -319,13 +332,35 @@ namespace lumbricus
 
 
 
+  void
+  ChainModel::linearise_at(const State &state)
+  {
+    set_to(state);
+    const bool flows = parameters.reset_iteration.lets_flow(reset_model);
+    references.let_liquid_flow(flows);
+    equilibrium.linearise({state.solution, state.globals});
+    references.let_liquid_flow(false);
+  }
+
+
+
+  ResetIteration::Solve
+  ChainModel::measure(const State &state) const
+  {
+    ResetIteration::Solve solve;
+    parameters.reset_iteration.measure(state, reset_model, solve);
+    return solve;
+  }
+
+
+
   Stability
   ChainModel::stability() const
   {
     return Stability(body,
                      assembler.tangent(),
                      equilibrium.linearised_border(),
-                     *parameters.linear_solver.get());
+                     linear_solver);
   }
 
 

@@ -26,6 +26,7 @@ namespace lumbricus
             dealii::TimerOutput::never,
             dealii::TimerOutput::wall_times)
     , model(parameters, timer, comm)
+    , error_estimates(model)
     , watch(parameters, log, run_timer)
   {}
 
@@ -226,6 +227,11 @@ namespace lumbricus
         record.softest_stiffness =
           parameters.stability_watch.look(model, next, log);
         locking_watch.look(model.body, model.references, next, log);
+        if (parameters.output_parts.asks_for_errors(record.number))
+          record.errors =
+            error_estimates.estimate(next,
+                                     record.reports().back()->solves.back(),
+                                     log);
         model.end_step(next);
         charge(record, before);
         state = next;
@@ -235,6 +241,7 @@ namespace lumbricus
         log_step(log, step, parameters.load_stepping.end_time());
         for (const AdaptationRecord &adaptation : step.adaptations)
           log_adaptation(log, adaptation);
+        log_errors(log, step);
         watch.end_step(step);
         {
           dealii::TimerOutput::Scope scope(timer, "output");
@@ -353,6 +360,7 @@ namespace lumbricus
     if (!any)
       return;
     results->reinit();
+    error_estimates.reinit();
     parameters.continuation->adapted(state);
   }
 

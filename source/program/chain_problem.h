@@ -15,6 +15,7 @@
 #include <memory>
 #include <string>
 
+#include "error_estimates.h"
 #include "locking_watch.h"
 
 namespace lumbricus
@@ -130,6 +131,7 @@ namespace lumbricus
     double                   seconds_before_restart = 0.;
     dealii::TimerOutput      timer;
     ChainModel               model;
+    ErrorEstimates           error_estimates;
     RunWatch                 watch;
     LockingWatch             locking_watch;
     std::unique_ptr<Results> results;

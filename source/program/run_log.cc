@@ -3,6 +3,7 @@
 #include "run_log.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -55,6 +56,44 @@ namespace lumbricus
            << *std::max_element(record.report.n_resets.begin(),
                                 record.report.n_resets.end())
            << " resets";
+    log << line.str() << "\n";
+  }
+
+
+
+  void
+  log_errors(Log &log, const StepRecord &step)
+  {
+    if (step.errors.empty())
+      return;
+    const auto  &solve   = step.reports().back()->solves.back();
+    double       largest = 0., pressure = 0., length = 0., radius = 0.;
+    unsigned int segment = 0;
+    for (unsigned int s = 0; s < step.errors.size(); ++s)
+      {
+        const SegmentError &error = step.errors[s];
+        largest =
+          std::max(largest, std::abs(solve.segments[s].mean_pressure()));
+        if (std::abs(error.pressure) > pressure)
+          {
+            pressure = std::abs(error.pressure);
+            segment  = s;
+          }
+        length = std::max(length,
+                          std::abs(error.length / solve.measures[s].length));
+        if (std::isfinite(error.mid_radius))
+          radius = std::max(
+            radius,
+            std::abs(error.mid_radius / solve.measures[s].mid_radius));
+      }
+    if (!std::isfinite(step.errors[0].length))
+      return;
+    std::ostringstream line;
+    line << std::setprecision(2) << "        estimated errors: length "
+         << 100. * length << "%, radius " << 100. * radius << "%";
+    if (largest > 0.)
+      line << ", pressure " << 100. * pressure / largest
+           << "% of the largest (segment " << segment + 1 << ")";
     log << line.str() << "\n";
   }
 

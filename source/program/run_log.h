@@ -20,6 +20,11 @@ namespace lumbricus
   void
   log_adaptation(Log &log, const AdaptationRecord &record);
 
+  /** Write a line with the largest estimated errors of @p step, where there are
+   * any. */
+  void
+  log_errors(Log &log, const StepRecord &step);
+
   /** The table of where the time went, and the largest rank's peak memory. */
   void
   log_costs(Log &log, const RunCosts &costs);

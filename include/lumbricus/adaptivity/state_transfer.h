@@ -23,6 +23,11 @@ namespace lumbricus
               const MixedSpace            &space,
               const std::function<void()> &renumber,
               State                       &state);
+
+  /** Let what @p state has at hanging nodes of @p space give way to what the other
+   * nodes say. Collective. */
+  void
+  make_conforming(const MixedSpace &space, State &state);
 } // namespace lumbricus
 
 #endif

@@ -86,15 +86,16 @@ namespace lumbricus
     LiquidMesh::Relaxation
     relax_mesh(State &state, const Model &model) const;
 
-  private:
     /** Whether the liquid flows while Newton's method goes on, so that it is
      * hydrostatic after one solve. Collective. */
     bool
     lets_flow(const Model &model) const;
 
-    /** Say in @p solve what @p state is like. */
+    /** Say in @p solve what @p state is like. Collective. */
     void
     measure(const State &state, const Model &model, Solve &solve) const;
+
+  private:
 
     /** At the end of a load step in which the liquid flowed: put the nodes inside
      * it where they belong. */

@@ -46,6 +46,11 @@ namespace lumbricus
            const bool          with_private,
            const MPI_Comm      comm);
 
+    /** Of those unknowns whose entry of @p used, which has places for ghost
+     * entries, is more than 0. Collective. */
+    void
+    reinit(const Vector &used, const MPI_Comm comm);
+
     /** The number of the free unknown at @p place of a vector. */
     unsigned int
     number(const unsigned int place) const
@@ -104,6 +109,13 @@ namespace lumbricus
     }
 
   private:
+    /** Number the owned places that are @p numbered, for vectors like
+     * @p layout. Collective. */
+    void
+    number(const std::vector<bool> &numbered,
+           const Vector            &layout,
+           const MPI_Comm           comm);
+
     std::vector<unsigned int> number_at;
     std::vector<unsigned int> owned_places;
     unsigned int              n = 0;

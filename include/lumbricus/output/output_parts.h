@@ -56,6 +56,11 @@ namespace lumbricus
     bool
     asks_for_work() const;
 
+    /** Whether a table that is wanted asks for estimates of errors after step
+     * @p number. */
+    bool
+    asks_for_errors(const unsigned int number) const;
+
     /** The arrays of all fields, in the order of Field::place(). After
      * initialize(). */
     const std::vector<FieldArray> &

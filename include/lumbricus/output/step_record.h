@@ -3,6 +3,7 @@
 #define lumbricus_output_step_record_h
 
 #include <lumbricus/equilibrium/reset_iteration.h>
+#include <lumbricus/errors/segment_error.h>
 #include <lumbricus/measures/body_motion.h>
 #include <lumbricus/measures/contact_state.h>
 #include <lumbricus/measures/external_forces.h>
@@ -73,6 +74,8 @@ namespace lumbricus
     BodyMotion motion;
     /** The adaptations of the mesh after it. */
     std::vector<AdaptationRecord> adaptations;
+    /** Of each segment, where a table asks for them; else empty. */
+    std::vector<SegmentError> errors;
 
     /** The reports of all solves there were, in their order. */
     std::vector<const ResetIteration::Report *>

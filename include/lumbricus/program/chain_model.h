@@ -34,6 +34,13 @@ namespace lumbricus
                dealii::TimerOutput &timer,
                const MPI_Comm       comm);
 
+    /** Without a mesh, for a model beside that of a run, with a solver of its
+     * own. */
+    ChainModel(RunParameters       &parameters,
+               LinearSolver        &linear_solver,
+               dealii::TimerOutput &timer,
+               const MPI_Comm       comm);
+
     /** Make the mesh, that of @p checkpoint where there is one, and all that
      * lives on it. Throws ExcInput. Collective. */
     void
@@ -110,6 +117,15 @@ namespace lumbricus
     LiquidMesh::Relaxation
     relax_liquid_mesh(State &state);
 
+    /** Linearise at @p state, as Newton's method does: where a liquid flows
+     * there, it does so here. Collective. */
+    void
+    linearise_at(const State &state);
+
+    /** What @p state is like, with set_to() or solve() there before. Collective. */
+    ResetIteration::Solve
+    measure(const State &state) const;
+
     /** How stable the body is as the equilibrium was linearised last. Keeps this by
      * reference. */
     Stability
@@ -121,6 +137,8 @@ namespace lumbricus
 
     /** What was asked for, and the objects it made. */
     RunParameters &parameters;
+    /** What solves for increments. */
+    LinearSolver &linear_solver;
     /** Where time goes. */
     dealii::TimerOutput &timer;
 

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How good estimates of errors are, and what they cost: the largest estimated over the
+largest true error of length, radius and pressure, of all segments and times, on meshes of
+the closed segment and of the main job, against an independent program; and the part of a
+run's time that one estimate takes.
+
+  benchmarks/run.sh errors [TABLE ...]
+
+with tables among segment, main_job and cost.
+"""
+import argparse
+import re
+import sys
+
+from lumbricus_run import SOURCE, run_well
+
+sys.path.insert(0, str(SOURCE / "tests" / "physics"))
+from test_errors import (  # noqa: E402
+    NAMES, PERISTALSIS, SEGMENT, effectivity, errors, independent)
+
+N_RANKS = 2
+
+
+def header(*columns):
+    print("\n| " + " | ".join(columns) + " |\n" + "|---" * len(columns) + "|")
+
+
+def row(case, name, settings, true, words):
+    result = run_well(case, name, ["Output/Every=0", *settings], N_RANKS,
+                      timeout=7200)
+    found = errors(result)
+    worst = [max(abs(row[name][1]) for row in found.values()) /
+             max(abs(row[name][0]) for row in found.values()) for name in NAMES]
+    print("| " + " | ".join([
+        *words, str(result.costs()["unknowns"]),
+        *(f"{100 * part:.2g} %, {effectivity(found, true, name):.2f}"
+          for part, name in zip(worst, NAMES))]) + " |", flush=True)
+
+
+def segment():
+    header("along", "across", "unknowns", *NAMES)
+    true = independent("closed_segment.csv")
+    for along, across in ((1, 2), (2, 2), (2, 4), (3, 6), (4, 8)):
+        row(SOURCE / "tests" / "physics" / "segment.prm",
+            f"segment-{along}-{across}",
+            [f"{SEGMENT}Liquid=cavity", f"{SEGMENT}Cells along a segment={along}",
+             f"{SEGMENT}Cells across the liquid={across}", "Time/First step=0.1",
+             "Time/Largest step=0.1", "Output/Errors=2"],
+            true, (str(along), str(across)))
+
+
+def main_job():
+    header("case", "along", "across", "unknowns", *NAMES)
+    true = independent("axisymmetric.csv")
+    for name, along, across in (("cavities", 2, 1), ("cavities", 2, 2),
+                                ("cavities", 4, 4), ("cavities", 6, 6),
+                                ("case", 2, 2), ("case", 4, 4)):
+        row(PERISTALSIS / f"{name}.prm", f"{name}-{along}-{across}",
+            [f"{SEGMENT}Cells along a segment={along}",
+             f"{SEGMENT}Cells across the liquid={across}", "Output/Errors=5"],
+            true, (name, str(along), str(across)))
+
+
+def cost():
+    """Seconds of estimates from the log, relative to all else."""
+    header("case", "run without (s)", "an estimate (s)", "of the run")
+    for name in ("cavities", "case"):
+        result = run_well(PERISTALSIS / f"{name}.prm", f"cost-{name}",
+                          ["Output/Every=0", "Output/Errors=5"], N_RANKS,
+                          timeout=7200)
+        seconds, calls = re.search(
+            r"error estimates +([\d.]+) +\d+% +(\d+)", result.log).groups()
+        total = float(re.search(r"total +([\d.]+)", result.log).group(1))
+        rest, one = total - float(seconds), float(seconds) / int(calls)
+        print(f"| {name} | {rest:.1f} | {one:.2f} | {100 * one / rest:.0f} % |",
+              flush=True)
+
+
+TABLES = {table.__name__: table for table in (segment, main_job, cost)}
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("tables", nargs="*", metavar="TABLE",
+                        help=", ".join(TABLES))
+    for name in parser.parse_args().tables or TABLES:
+        TABLES[name]()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef lumbricus_errors_enrichment_h
+#define lumbricus_errors_enrichment_h
+
+#include <lumbricus/discretization/tangent.h>
+#include <lumbricus/errors/cut_cells.h>
+#include <lumbricus/linear/free_numbering.h>
+#include <lumbricus/linear/mumps.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace lumbricus
+{
+  /**
+   * Functions that small cells, eight in place of each, have beyond those of the
+   * large ones. Of displacements: on each line of three nodes through a large cell,
+   * in each direction, the two that are 1 at one quarter of the line and 0 at its
+   * nodes and the other quarter, quadratic from line to line. Of pressures: the six
+   * products of two coordinates. They are about 2.6 times as many as the functions
+   * of the large cells and coupled as these are, so that their own matrix can be
+   * factored, while that of the small cells could not.
+   *
+   * Those of cells of liquid alone are left out, since hydrostatic liquid needs none,
+   * and those on faces with hanging nodes.
+   */
+  class Enrichment
+  {
+  public:
+    /** For the mesh of @p tangent, of small cells. All are kept by reference.
+     * Collective. */
+    Enrichment(const Body     &small,
+               const Tangent  &tangent,
+               const CutCells &cells);
+
+    /** Compute their matrix from what the tangent is now and factor it. Throws
+     * ExcNotConverged, ExcSolveFailed. Collective. */
+    void
+    factor();
+
+    /** Add to @p x, in the free unknowns of the small cells, the function of these
+     * whose residual is @p r, with a stiff penalty in place of the volume
+     * constraint. Collective. */
+    void
+    correct(Vector &x, const Vector &r) const;
+
+  private:
+    static constexpr unsigned int n_children =
+      dealii::GeometryInfo<dim>::max_children_per_cell;
+    static constexpr unsigned int n_lines         = 9; ///< in one direction
+    static constexpr unsigned int n_displacements = dim * n_lines * 2 * dim;
+    static constexpr unsigned int n_pressures     = dim * (dim + 1) / 2;
+
+    /** An entry of E, which makes unknowns of a child of these functions. */
+    struct Entry
+    {
+      unsigned int row;    ///< unknown of the child
+      unsigned int column; ///< function
+      double       weight; ///< its value there
+    };
+
+    /** The eight children of a large cell. */
+    struct Family
+    {
+      /** Numbers of the owned small cells. */
+      std::array<unsigned int, n_children> children;
+      /** Of each displacement the place of the node where it is 1; none where it
+       * is left out. */
+      std::array<unsigned int, n_displacements> places;
+      /** C^(-1) B and C^(-1) of the family's matrix [A B^T; B C]. */
+      dealii::FullMatrix<double> of_displacements, of_pressures;
+    };
+
+    /** Where each displacement is 1: a child and its unknown. */
+    using Nodes =
+      std::array<std::pair<unsigned int, unsigned int>, n_displacements>;
+
+    /** Make E of all children. */
+    Nodes
+    embed();
+
+    /** Number the displacements. Collective. */
+    void
+    number(const Nodes &nodes, const CutCells &cells);
+
+    /** The matrix [A B^T; B C] of a family, by rows. */
+    std::vector<double>
+    matrix(const Family &family) const;
+
+    const Body     body;
+    const Tangent &tangent;
+
+    std::array<std::vector<Entry>, n_children> displacement, pressure; ///< E
+    std::vector<Family>                        families;
+    Vector                                     shares; ///< among solid cells
+    FreeNumbering                              numbering;
+    std::unique_ptr<Mumps<double>>             mumps;
+  };
+} // namespace lumbricus
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "finer_model.h"
+
+#include <lumbricus/core/exceptions.h>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace lumbricus
+{
+  namespace
+  {
+    // What systems of the run's own mesh are solved to, so that an estimate is
+    // the same on any number of ranks.
+    constexpr double tolerance_of_corrections = 1e-9;
+
+    // Of the system of the small cells: with more than these an estimate becomes
+    // hardly better.
+    constexpr unsigned int n_iterations = 4;
+  } // namespace
+
+
+
+  FinerModel::FinerModel(ChainModel &model)
+    : model(model)
+    , timer(std::cout,
+            dealii::TimerOutput::never,
+            dealii::TimerOutput::wall_times)
+    , solver(
+        [&model](Vector                    &x,
+                 std::vector<double>       &g,
+                 const Vector              &b,
+                 const std::vector<double> &c) {
+          const Border &border = model.equilibrium.linearised_border();
+          if (border.size() == 0)
+            model.linear_solver.solve(x, b, tolerance_of_corrections);
+          else
+            model.linear_solver.solve(x, g, b, c, border, tolerance_of_corrections);
+        },
+        n_iterations)
+    , finer(model.parameters,
+            solver,
+            timer,
+            model.space.communicator())
+  {
+    finer.triangulation.copy_triangulation(model.triangulation);
+    finer.triangulation.refine_global(1);
+    finer.space.set_finest_curved_level(
+      model.parameters.mesh_refinement.n_global_refinements() + 1);
+    finer.number_unknowns();
+    finer.reinit();
+    cells = std::make_unique<CutCells>(model.body,
+                                       model.assembler.tangent().unknowns,
+                                       finer.body,
+                                       finer.assembler.tangent().unknowns);
+    solver.set_cells(finer.body, *cells);
+  }
+
+
+
+  ResetIteration::Solve
+  FinerModel::measure(const State &state)
+  {
+    model.linearise_at(state);
+    State on_finer = finer.space.zero_state(state.outline());
+    cells->prolongate(state, on_finer);
+    finer.linearise_at(on_finer);
+    const auto residual =
+      finer.equilibrium.residual({on_finer.solution, on_finer.globals});
+    AssertThrow(residual.valid,
+                ExcNotConverged("On a finer mesh " +
+                                finer.equilibrium.locate_trouble(
+                                  {on_finer.solution, on_finer.globals})));
+
+    Unknowns increment{on_finer.solution, on_finer.globals};
+    finer.equilibrium.solve(increment, 0.);
+    on_finer.solution += increment.solution;
+    for (const auto &[name, values] : increment.globals)
+      for (unsigned int k = 0; k < values.size(); ++k)
+        on_finer.globals.at(name)[k] += values[k];
+    return finer.measure(on_finer);
+  }
+} // namespace lumbricus

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What estimates of errors are made of, on a body with muscle, liquid, planes of
+// symmetry and hanging nodes.
+#include <lumbricus/errors/cut_cells.h>
+#include <lumbricus/errors/enrichment.h>
+#include <lumbricus/errors/finer_solver.h>
+
+#include <gtest/gtest.h>
+
+#include "specimen.h"
+
+using namespace lumbricus;
+
+namespace
+{
+  const std::string body = R"(
+subsection Geometry
+  set Shape = segment chain
+  subsection segment chain
+    set Number of segments = 2
+    set Wall layers        = wall
+    set Wall layer thicknesses = 0.3
+    set Cross-section      = quarter
+  end
+end
+subsection Tissues
+  subsection wall
+    set Muscles = circular
+    subsection Neo-Hooke
+      set nu = 0.3
+    end
+  end
+  subsection septum
+    subsection Neo-Hooke
+      set nu = 0.3
+    end
+  end
+  subsection cap
+    subsection Neo-Hooke
+      set nu = 0.3
+    end
+  end
+end
+subsection Muscles
+  subsection circular
+    set Fibres         = circumferential
+    set Active stretch = expression
+    subsection expression
+      set Formula = 1 - 0.2*t
+    end
+  end
+end
+subsection Mesh
+  set Refine where      = if(x < 1, 1, 0)
+  set Local refinements = 1
+end
+)";
+
+
+
+  // The body and the same with eight cells in place of each.
+  class Errors : public ::testing::Test
+  {
+  protected:
+    Errors()
+      : specimen(body)
+      , large(*specimen.model)
+      , solver([](auto &, auto &, const auto &, const auto &) {}, 1)
+      , small(specimen.parameters,
+              solver,
+              specimen.timer,
+              specimen.comm)
+    {
+      small.triangulation.copy_triangulation(large.triangulation);
+      small.triangulation.refine_global(1);
+      // The children fill their parents.
+      small.space.set_finest_curved_level(0);
+      small.number_unknowns();
+      small.reinit();
+      cells = std::make_unique<CutCells>(large.body,
+                                         large.assembler.tangent().unknowns,
+                                         small.body,
+                                         small.assembler.tangent().unknowns);
+    }
+
+    // Noise in the free unknowns of a model.
+    Vector
+    noise(const ChainModel &of, const double seed) const
+    {
+      const auto &unknowns = of.assembler.tangent().unknowns;
+      Vector      x;
+      unknowns.reinit_vector(x);
+      for (unsigned int k = 0; k < x.locally_owned_size(); ++k)
+        if (!unknowns.is_constrained()[k])
+          x.local_element(k) =
+            std::sin(seed * (1. + x.get_partitioner()->local_to_global(k)));
+      return x;
+    }
+
+    Specimen                  specimen;
+    ChainModel               &large;
+    FinerSolver               solver;
+    ChainModel                small;
+    std::unique_ptr<CutCells> cells;
+  };
+
+
+
+  TEST_F(Errors, RestrictionIsTheTransposedOfProlongation)
+  {
+    const Vector x = noise(large, 0.7), r = noise(small, 1.3);
+    Vector       Px, PTr;
+    cells->prolongate(Px, x);
+    cells->restrict_to(PTr, r);
+    const double left = Px * r, right = x * PTr;
+    EXPECT_GT(std::abs(left), 1e-3);
+    EXPECT_NEAR(left / right, 1., 1e-10);
+  }
+
+
+
+  TEST_F(Errors, StatesStayTheFunctionsTheyAre)
+  {
+    State state    = specimen.state;
+    state.time     = 0.3;
+    state.solution = specimen.random(0.01, 1);
+    State finer    = small.space.zero_state(state.outline());
+    cells->prolongate(state, finer);
+    large.set_to(state);
+    small.set_to(finer);
+    const auto a = large.measure(state), b = small.measure(finer);
+    for (unsigned int s = 0; s < a.segments.size(); ++s)
+      {
+        EXPECT_NEAR(b.segments[s].liquid_volume / a.segments[s].liquid_volume,
+                    1.,
+                    1e-10);
+        EXPECT_NEAR(b.segments[s].wall_volume / a.segments[s].wall_volume,
+                    1.,
+                    1e-10);
+        EXPECT_NEAR(b.measures[s].length / a.measures[s].length, 1., 1e-10);
+      }
+  }
+
+
+
+  TEST_F(Errors, TheEnrichmentInvertsItsOwnMatrix)
+  {
+    // But for the penalty beside the bulk modulus, which is softer by far here.
+    small.linearise_at(small.rest_state());
+    const Tangent      &tangent  = small.assembler.tangent();
+    const CellUnknowns &unknowns = tangent.unknowns;
+    Enrichment          enrichment(small.body, tangent, *cells);
+    enrichment.factor();
+
+    Vector forces = noise(small, 0.9), x, r, again;
+    unknowns.reinit_vector(x);
+    r = again = x;
+    const auto without_pressures = [&](Vector &v) {
+      for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
+        for (unsigned int m = 0; m < MixedSpace::n_pressure_modes; ++m)
+          v.local_element(unknowns.places(i)[CellUnknowns::pressure(m)]) = 0.;
+    };
+    without_pressures(forces);
+    enrichment.correct(x, forces);
+    tangent.vmult(r, x);
+    enrichment.correct(again, r);
+    again -= x;
+    without_pressures(again);
+    without_pressures(x);
+    EXPECT_GT(x.l2_norm(), 0.);
+    EXPECT_LT(again.l2_norm(), 0.05 * x.l2_norm());
+  }
+} // namespace
