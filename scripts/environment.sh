@@ -51,7 +51,8 @@ build_packages=(g++ cmake ninja-build libdeal.ii-dev libmumps-dev
   libopenblas0-serial openmpi-bin)
 # The last two let VTK draw without a screen, in software.
 python_packages=(python3 python3-venv libegl1 libgl1-mesa-dri)
-test_packages=(libgtest-dev numdiff doxygen)
+# Chromium shows the scene of a report.
+test_packages=(libgtest-dev numdiff doxygen chromium chromium-driver)
 
 # Open MPI refuses to start for root, as in containers, without the first two,
 # and more ranks than cores without the third; without the last, runs side by

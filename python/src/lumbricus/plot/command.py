@@ -15,6 +15,7 @@ from .panels import draw_picture, draw_thumbnail
 from .report import write_report
 from .run_folder import PlotError, RunFolder
 from .segments import draw_segments
+from .viewer.page import write_scene
 
 DESCRIPTION = """\
 Draw a run and write a report of it. RUN_DIR, the output folder of a run that
@@ -22,6 +23,8 @@ is over or still going on, gets
 
   animation.gif    the deforming body, cut open: liquid coloured by pressure,
                    muscle by active contraction
+  scene.html       the same body in a browser, to be turned and played, in one
+                   file that needs no network
   picture.png      the same at a few times in one figure
   kymograph.png    length, pressure and activation, segments against time
   anchors.png      which segments are anchored, and how far the body has come;
@@ -35,7 +38,7 @@ is over or still going on, gets
 
 Exit code 1 says that the folder is no run, or that something in it is missing.
 """
-NAMES = ["animation", "picture", "kymograph", "anchors", "energy", "segments",
+NAMES = ["animation", "scene", "picture", "kymograph", "anchors", "energy", "segments",
          "convergence", "report"]
 
 
@@ -92,6 +95,11 @@ def make_animation(run, options, out):
         times, options.fibres, bool(run.obstacles))
 
 
+def make_scene(run, options, out):
+    name = out / "scene.html"
+    return name, "A scene to be turned", write_scene(run, options, name)
+
+
 def make_kymograph(run, _, out):
     name = out / "kymograph.png"
     has_activation = draw_kymograph(run, name)
@@ -125,10 +133,11 @@ def make_convergence(run, _, out):
 
 
 # In the order of the report.
-OF_THE_REPORT = {"animation": make_animation, "kymograph": make_kymograph,
+OF_THE_REPORT = {"animation": make_animation, "scene": make_scene,
+                 "kymograph": make_kymograph,
                  "anchors": make_anchors, "energy": make_energy,
                  "segments": make_segments, "convergence": make_convergence}
-NEED_FIELDS = {"animation", "picture"}
+NEED_FIELDS = {"animation", "picture", "scene"}
 
 
 def make_all(run, options, out):
@@ -137,8 +146,8 @@ def make_all(run, options, out):
     if not run.series and wanted & NEED_FIELDS:
         wanted -= NEED_FIELDS
         notes.append("There are no fields yet (no solution.pvd, or no time in "
-                     "it), and therefore no animation, no picture and no "
-                     "activation; Output/Every says how often fields are "
+                     "it), and therefore no animation, no scene, no "
+                     "picture and no activation; Output/Every says how often fields are "
                      "written.")
     if run.contact is None:
         wanted.discard("anchors")

@@ -20,6 +20,7 @@ h2 { font-size: 1.2rem; margin-top: 2.2rem;
 figure { margin: 1.2rem 0; }
 figure img, figure video { width: 100%; height: auto; background: #ffffff;
   border-radius: 6px; padding: 6px; box-sizing: border-box; }
+figure iframe { width: 100%; height: 32rem; border: 0; border-radius: 6px; }
 figcaption, .note { color: var(--faint); font-size: 0.92rem; }
 .scroll { overflow: auto; max-height: 32rem; }
 table { border-collapse: collapse; font-size: 0.92rem;
@@ -71,14 +72,22 @@ def details(title, content):
 
 
 def figure(file_name, title, caption):
-    """A picture or film as part of the page."""
+    """A picture, a film, or a page with a scene, as part of the page."""
+    if file_name.suffix == ".html":
+        return framed(f'<iframe loading="lazy" title="{html.escape(title)}" srcdoc="'
+                      + html.escape(file_name.read_text(encoding="utf-8"))
+                      + '"></iframe>', title, caption)
     data = base64.b64encode(file_name.read_bytes()).decode("ascii")
     source = f'src="data:{KINDS[file_name.suffix]};base64,{data}"'
-    title, caption = html.escape(title), html.escape(caption)
     if file_name.suffix == ".mp4":
-        shown = f"<video controls loop muted {source}>{title}</video>"
+        shown = f"<video controls loop muted {source}>{html.escape(title)}</video>"
     else:
-        shown = f'<img alt="{title}" {source}>'
+        shown = f'<img alt="{html.escape(title)}" {source}>'
+    return framed(shown, title, caption)
+
+
+def framed(shown, title, caption):
+    title, caption = html.escape(title), html.escape(caption)
     return (f"<figure>{shown}\n<figcaption><strong>{title}.</strong> "
             f"{caption}</figcaption></figure>")
 

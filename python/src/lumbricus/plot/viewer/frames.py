@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A run as numbers for a browser: what is the same at all times, and what moves.
+
+Where a body is at a time are 16 bits a coordinate, in a box around all times, as the
+difference to the time before where the mesh is the same; colours are a byte a vertex
+and field. All lower bytes of a coordinate follow one another, then all upper ones:
+so written, most of it is zeros, and is packed to a third."""
+
+import pathlib
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from ..body import Body
+from ..fields import read_grid, read_obstacles
+from ..scene import LINE_COLOUR, OBSTACLE_COLOUR
+from ..surface import ALONG_EDGE, Faces
+from ..view import VIEW
+from .colouring import Colouring, colourings_of
+from .skin import DIVISIONS, Array, Skin, moved
+
+LEVELS = 65535          # of a coordinate
+# The most bytes before they are packed. A scene with so many has some 10 MB.
+MOST_BYTES = 24_000_000
+FEWEST_FRAMES = 6
+
+
+@dataclass
+class Mesh:
+    """The part that is the same for some times: triangles, lines, and which vertices
+    are liquid."""
+    skin: Skin
+    liquid: Array
+    lines: Array            # [line, 2] numbers of vertices, behind those of the skin
+    obstacle_lines: Array
+    n_vertices: int
+
+
+@dataclass
+class Frame:
+    time: float
+    mesh: int
+    points: Array
+    colours: list[Array] = field(default_factory=list)
+
+
+def pairs_of(polylines: Any, begin: int) -> Array:
+    """The pieces of lines with ALONG_EDGE points each."""
+    numbers = begin + np.arange(polylines.n_points).reshape(-1, ALONG_EDGE)
+    return np.stack([numbers[:, :-1], numbers[:, 1:]], axis=-1).reshape(-1, 2)
+
+
+class Recording:
+    """The times of a run, one after the other, on as fine a mesh as there is room
+    for. Where even the coarsest needs too much some times are left out."""
+
+    def __init__(self, body: Body, shown: list[tuple[float, pathlib.Path]],
+                 obstacles: dict[float, pathlib.Path]) -> None:
+        self.body = body
+        self.meshes: list[Mesh] = []
+        self.frames: list[Frame] = []
+        first = self.faces_at(shown[0][1])
+        self.colourings: list[Colouring] = colourings_of(first)
+        self.divisions, n_frames = self.room_for(len(first.nodes), len(shown))
+        kept = np.unique(np.linspace(0, len(shown) - 1, n_frames).round().astype(int))
+        self.left_out = len(shown) - len(kept)
+        for number in kept:
+            time, file = shown[number]
+            self.add(time, self.faces_at(file), obstacles.get(time))
+        self.low = np.min([f.points.min(axis=0) for f in self.frames], axis=0)
+        self.high = np.max([f.points.max(axis=0) for f in self.frames], axis=0)
+        self.window = VIEW.window([f.points[:len(self.meshes[f.mesh].skin.first)]
+                                   for f in self.frames])
+
+    def faces_at(self, file: pathlib.Path) -> Faces:
+        return Faces(*self.body.opened(read_grid(file)))
+
+    def room_for(self, n_faces: int, n_frames: int) -> tuple[int, int]:
+        """In how many parts to cut edges, and how many times to show."""
+        per_vertex = 6 + len(self.colourings)
+        for n in DIVISIONS:
+            bytes_a_frame = n_faces * n * n * per_vertex
+            if bytes_a_frame * n_frames <= MOST_BYTES:
+                return n, n_frames
+        return n, min(n_frames, max(FEWEST_FRAMES, MOST_BYTES // bytes_a_frame))
+
+    def add(self, time: float, faces: Faces, obstacles: pathlib.Path | None) -> None:
+        cut = faces.lines(with_mesh=False)
+        edges = (None if obstacles is None
+                 else read_obstacles(obstacles).extract_all_edges())
+        mesh = self.mesh_for(faces, cut, edges)
+        parts = [moved(mesh.skin, faces), cut.points]
+        if edges is not None:
+            parts.append(edges.points)
+        frame = Frame(time, len(self.meshes) - 1, np.concatenate(parts))
+        liquid = np.isin(np.round(faces.fields["tissue"]), self.body.liquid_tissues)
+        for colouring in self.colourings:
+            values = mesh.skin.at_vertices(colouring.values(faces, liquid))
+            for scale, chosen in colouring.scale_of(mesh.liquid):
+                scale.take_in(values[chosen])
+            frame.colours.append(values.astype(np.float32))
+        self.frames.append(frame)
+
+    def mesh_for(self, faces: Faces, cut: Any, edges: Any) -> Mesh:
+        """That of the time before, where it fits, or a new one."""
+        n_obstacle = 0 if edges is None else edges.n_points
+        if self.meshes and self.meshes[-1].skin.fits(faces) and (
+                len(self.meshes[-1].skin.first) + cut.n_points + n_obstacle
+                == self.meshes[-1].n_vertices):
+            return self.meshes[-1]
+        skin = Skin(faces, self.divisions)
+        tissue = np.round(faces.fields["tissue"])
+        liquid = np.isin(tissue[faces.nodes[:, 8]], self.body.liquid_tissues)
+        n_skin = len(skin.first)
+        self.meshes.append(Mesh(
+            skin, np.repeat(liquid, len(skin.weights))[skin.first],
+            pairs_of(cut, n_skin),
+            np.zeros((0, 2), dtype=int) if edges is None
+            else n_skin + cut.n_points + edges.lines.reshape(-1, 3)[:, 1:],
+            n_skin + cut.n_points + n_obstacle))
+        return self.meshes[-1]
+
+    def centre(self) -> Array:
+        """What the scene turns about: the middle of the box, moved to the middle of
+        the window in which it begins."""
+        middle = 0.5 * (self.low + self.high)
+        off = 0.5 * (self.window[0] + self.window[1]) - VIEW.project(middle)
+        return np.asarray(middle + off[0] * VIEW.right + off[1] * VIEW.up)
+
+    def describe(self) -> tuple[dict[str, Any], bytes]:
+        """What the page is told in words, and the numbers: of each mesh the triangles
+        and lines as 32 bits, and a byte a vertex of the skin that says whether it is
+        liquid; of each time the coordinates and the colours."""
+        size = np.where(self.high > self.low, self.high - self.low, 1)
+        data: list[bytes] = []
+        for mesh in self.meshes:
+            for numbers in (mesh.skin.triangles, mesh.lines, mesh.obstacle_lines):
+                data.append(np.ascontiguousarray(numbers, dtype="<u4").tobytes())
+            data.append(mesh.liquid.astype(np.uint8).tobytes())
+        mesh_before, before = -1, np.zeros((3, 0), dtype="<u2")
+        for frame in self.frames:
+            places = np.round((frame.points - self.low) / size * LEVELS).astype("<u2").T
+            # Modulo 2^16, as it is added up again.
+            change = places - before if frame.mesh == mesh_before else places
+            for shift in (0, 8):
+                data.append((change >> shift).astype(np.uint8).tobytes())
+            for colouring, values in zip(self.colourings, frame.colours, strict=True):
+                numbers = np.zeros(len(values), dtype=np.uint8)
+                for scale, chosen in colouring.scale_of(self.meshes[frame.mesh].liquid):
+                    numbers[chosen] = scale.as_bytes(values[chosen])
+                data.append(numbers.tobytes())
+            mesh_before, before = frame.mesh, places
+        words = {
+            "low": self.low.tolist(), "size": size.tolist(),
+            "view": [VIEW.right.tolist(), VIEW.up.tolist(), VIEW.normal.tolist()],
+            "centre": self.centre().tolist(),
+            "window": (self.window[1] - self.window[0]).tolist(),
+            "line": LINE_COLOUR, "obstacle": OBSTACLE_COLOUR,
+            "meshes": [{"vertices": mesh.n_vertices, "skin": len(mesh.skin.first),
+                        "triangles": len(mesh.skin.triangles),
+                        "lines": len(mesh.lines),
+                        "obstacle": len(mesh.obstacle_lines)} for mesh in self.meshes],
+            "frames": [{"time": frame.time, "mesh": frame.mesh}
+                       for frame in self.frames],
+            "colourings": [{"name": c.name,
+                            "scales": [scale.describe() for scale in c.scales]}
+                           for c in self.colourings]}
+        return words, b"".join(data)
