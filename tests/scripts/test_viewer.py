@@ -188,7 +188,7 @@ def test_the_body_in_it_is_that_of_the_run(drawn):
         assert x[0, :skin].max() == pytest.approx(there[:, 0].max(), abs=1e-4)
         for d in (1, 2):
             assert np.abs(x[d, :skin]).max() == pytest.approx(
-                np.abs(there[:, d]).max(), rel=1e-4)
+                np.abs(there[:, d]).max(), rel=5e-4)  # between nodes a little more
     top = words["colourings"][1]["scales"][0]["high"]
     assert top == pytest.approx(max(
         np.linalg.norm(read_grid(file)["displacement"], axis=1).max()

@@ -2,8 +2,10 @@
 """The command lumbricus-plot."""
 
 import argparse
+import os
 import pathlib
 import sys
+import tempfile
 
 from . import captions
 from .anchors import draw_anchors
@@ -16,6 +18,7 @@ from .report import write_report
 from .run_folder import PlotError, RunFolder
 from .segments import draw_segments
 from .viewer.page import write_scene
+from .watching import state_of, watch
 
 DESCRIPTION = """\
 Draw a run and write a report of it. RUN_DIR, the output folder of a run that
@@ -36,8 +39,13 @@ is over or still going on, gets
   report.html      all of these but picture.png in one file, with numbers and
                    parameters
 
+With --watch all of it is drawn anew while the run goes on, and a last time when
+it has ended; in a browser, report.html then shows the newest by itself. Files are
+replaced as a whole, so that whoever reads them never sees half of one.
+
 Exit code 1 says that the folder is no run, or that something in it is missing.
 """
+WATCH_EVERY = 10  # seconds
 NAMES = ["animation", "scene", "picture", "kymograph", "anchors", "energy", "segments",
          "convergence", "report"]
 
@@ -49,6 +57,14 @@ def positive(text):
     return value
 
 
+def seconds(text):
+    value = float(text)
+    if not 0 < value < float("inf"):
+        raise ValueError
+    return value
+
+
+seconds.__name__ = "positive number of seconds"
 positive.__name__ = "positive whole number"
 
 
@@ -64,6 +80,11 @@ def parse(arguments):
                         "pictures")
     parser.add_argument("--output", metavar="DIR",
                         help="write to this folder (default: RUN_DIR)")
+    parser.add_argument("--watch", type=seconds, nargs="?", const=WATCH_EVERY,
+                        metavar="SECONDS", help="draw again whenever the run has "
+                        "something new, but not more often than that (default: "
+                        f"{WATCH_EVERY}), until it ends; wait for it where it has "
+                        "not begun yet")
     bodies = parser.add_argument_group("bodies")
     bodies.add_argument("--fibres", action="store_true",
                         help="draw the fibres of the muscles")
@@ -160,7 +181,8 @@ def make_all(run, options, out):
         draw_picture(run, options, out / "picture.png")
         names.append("picture.png")
     if "report" in wanted:
-        write_report(run, pictures, notes, out / "report.html")
+        write_report(run, pictures, notes, out / "report.html",
+                     options.reload_every)
         names.append("report.html")
     return names, notes
 
@@ -173,16 +195,39 @@ def make_thumbnail(run, options, out):
     return ["thumbnail.png"], []
 
 
+def draw(options, state="finished"):
+    """Draw what there is, in a folder beside, and put all in its place."""
+    options.reload_every = options.watch if state == "running" else None
+    run = RunFolder(options.folder)
+    out = pathlib.Path(options.output or options.folder)
+    out.mkdir(parents=True, exist_ok=True)
+    make = make_all if options.thumbnail is None else make_thumbnail
+    with tempfile.TemporaryDirectory(dir=out, prefix=".lumbricus-plot-") as beside:
+        names, notes = make(run, options, pathlib.Path(beside))
+        if out.samefile(run.path):
+            run.record(names)
+        for name in names:
+            os.replace(pathlib.Path(beside) / name, out / name)
+    for note in notes:
+        print(note)
+    if names:
+        print(f"Wrote {', '.join(names)} to {out}", flush=True)
+
+
+def draw_while_it_goes_on(options):
+    folder = pathlib.Path(options.folder)
+    if state_of(folder) == "none":
+        print(f"Waiting for a run in '{folder}'.", flush=True)
+    state = watch(folder, options.watch, lambda state: draw(options, state))
+    if state == "killed":
+        print("The run was killed: 'lumbricus --restart' goes on from its last "
+              "checkpoint.")
+
+
 def main(arguments=None):
     options = parse(arguments)
     try:
-        run = RunFolder(options.folder)
-        out = pathlib.Path(options.output or options.folder)
-        out.mkdir(parents=True, exist_ok=True)
-        make = make_all if options.thumbnail is None else make_thumbnail
-        names, notes = make(run, options, out)
-        if out.samefile(run.path):
-            run.record(names)
+        draw(options) if options.watch is None else draw_while_it_goes_on(options)
     except PlotError as error:
         print(f"lumbricus-plot: {error}", file=sys.stderr)
         return 1
@@ -191,8 +236,6 @@ def main(arguments=None):
               f"{error.strerror}; choose another folder with --output.",
               file=sys.stderr)
         return 1
-    for note in notes:
-        print(note)
-    if names:
-        print(f"Wrote {', '.join(names)} to {out}")
+    except KeyboardInterrupt:
+        return 130
     return 0

@@ -92,11 +92,13 @@ def framed(shown, title, caption):
             f"{caption}</figcaption></figure>")
 
 
-def page(title, content):
+def page(title, content, reload_every=None):
+    reload = ("" if reload_every is None else
+              f'<meta http-equiv="refresh" content="{reload_every:g}">\n')
     return (f'<!DOCTYPE html>\n<html lang="en-GB">\n<head>\n'
             f'<meta charset="utf-8">\n'
             f'<meta name="viewport" content="width=device-width, '
-            f'initial-scale=1">\n<title>{html.escape(title)}</title>\n'
+            f'initial-scale=1">\n{reload}<title>{html.escape(title)}</title>\n'
             f"<style>{STYLE}</style>\n</head>\n<body>\n"
             f"<h1>{html.escape(title)}</h1>\n" + "\n".join(content)
             + "\n</body>\n</html>\n")

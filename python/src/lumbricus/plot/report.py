@@ -141,8 +141,9 @@ def all_parameters(run):
              for entry in entries], text_columns=3))]
 
 
-def write_report(run, pictures, notes, file_name):
-    """Pictures are (file, title, caption); notes say what is left out."""
+def write_report(run, pictures, notes, file_name, reload_every=None):
+    """Pictures are (file, title, caption); notes say what is left out. A browser
+    loads the page anew every so many seconds, where they are given."""
     summary = Summary(run)
     message = run.status["message"]
     content = [
@@ -155,4 +156,4 @@ def write_report(run, pictures, notes, file_name):
         *mesh_adaptations(run),
         *times(run),
         *all_parameters(run)]
-    file_name.write_text(page(run.title, content), encoding="utf-8")
+    file_name.write_text(page(run.title, content, reload_every), encoding="utf-8")
