@@ -186,9 +186,10 @@ def test_the_body_in_it_is_that_of_the_run(drawn):
         # Along the axis the body is not mirrored.
         assert x[0, :skin].min() == pytest.approx(there[:, 0].min(), abs=1e-4)
         assert x[0, :skin].max() == pytest.approx(there[:, 0].max(), abs=1e-4)
+        # Between the nodes a parabola goes a little beyond the circle.
         for d in (1, 2):
             assert np.abs(x[d, :skin]).max() == pytest.approx(
-                np.abs(there[:, d]).max(), rel=5e-4)  # between nodes a little more
+                np.abs(there[:, d]).max(), rel=2e-3)
     top = words["colourings"][1]["scales"][0]["high"]
     assert top == pytest.approx(max(
         np.linalg.norm(read_grid(file)["displacement"], axis=1).max()

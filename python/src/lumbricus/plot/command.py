@@ -6,10 +6,12 @@ import os
 import pathlib
 import sys
 import tempfile
+from collections.abc import Sequence
 
 from . import captions
 from .anchors import draw_anchors
 from .animation import animate
+from .arrays import Drawn
 from .convergence import draw_convergence
 from .energy import draw_energy
 from .kymograph import draw_kymograph
@@ -50,14 +52,14 @@ NAMES = ["animation", "scene", "picture", "kymograph", "anchors", "energy", "seg
          "convergence", "report"]
 
 
-def positive(text):
+def positive(text: str) -> int:
     value = int(text)
     if value < 1:
         raise ValueError
     return value
 
 
-def seconds(text):
+def seconds(text: str) -> float:
     value = float(text)
     if not 0 < value < float("inf"):
         raise ValueError
@@ -68,7 +70,7 @@ seconds.__name__ = "positive number of seconds"
 positive.__name__ = "positive whole number"
 
 
-def parse(arguments):
+def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="lumbricus-plot", description=DESCRIPTION,
         formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -109,19 +111,20 @@ def parse(arguments):
     return parser.parse_args(arguments)
 
 
-def make_animation(run, options, out):
+def make_animation(run: RunFolder, options: argparse.Namespace,
+                   out: pathlib.Path) -> Drawn:
     name = out / ("animation.mp4" if options.mp4 else "animation.gif")
     times = animate(run, options, name)
     return name, "The deforming body", captions.animation_caption(
         times, options.fibres, bool(run.obstacles))
 
 
-def make_scene(run, options, out):
+def make_scene(run: RunFolder, options: argparse.Namespace, out: pathlib.Path) -> Drawn:
     name = out / "scene.html"
     return name, "A scene to be turned", write_scene(run, options, name)
 
 
-def make_kymograph(run, _, out):
+def make_kymograph(run: RunFolder, _: argparse.Namespace, out: pathlib.Path) -> Drawn:
     name = out / "kymograph.png"
     has_activation = draw_kymograph(run, name)
     return name, "Kymograph", (
@@ -129,25 +132,25 @@ def make_kymograph(run, _, out):
         + (captions.ACTIVATION if has_activation else ""))
 
 
-def make_anchors(run, _, out):
+def make_anchors(run: RunFolder, _: argparse.Namespace, out: pathlib.Path) -> Drawn:
     name = out / "anchors.png"
     draw_anchors(run, name)
     return name, "Anchored segments", captions.ANCHORS
 
 
-def make_energy(run, _, out):
+def make_energy(run: RunFolder, _: argparse.Namespace, out: pathlib.Path) -> Drawn:
     name = out / "energy.png"
     draw_energy(run, name)
     return name, "Energy", captions.ENERGY
 
 
-def make_segments(run, _, out):
+def make_segments(run: RunFolder, _: argparse.Namespace, out: pathlib.Path) -> Drawn:
     name = out / "segments.png"
     draw_segments(run, name)
     return name, "Segments", captions.SEGMENTS
 
 
-def make_convergence(run, _, out):
+def make_convergence(run: RunFolder, _: argparse.Namespace, out: pathlib.Path) -> Drawn:
     name = out / "convergence.png"
     draw_convergence(run, name)
     return name, "Convergence", captions.CONVERGENCE
@@ -161,7 +164,8 @@ OF_THE_REPORT = {"animation": make_animation, "scene": make_scene,
 NEED_FIELDS = {"animation", "picture", "scene"}
 
 
-def make_all(run, options, out):
+def make_all(run: RunFolder, options: argparse.Namespace,
+             out: pathlib.Path) -> tuple[list[str], list[str]]:
     """Write what is wanted; the names of the files, and notes."""
     wanted, names, notes = set(options.only), [], []
     if not run.series and wanted & NEED_FIELDS:
@@ -187,7 +191,8 @@ def make_all(run, options, out):
     return names, notes
 
 
-def make_thumbnail(run, options, out):
+def make_thumbnail(run: RunFolder, options: argparse.Namespace,
+                   out: pathlib.Path) -> tuple[list[str], list[str]]:
     if not run.series:
         raise PlotError(f"'{run.path}' has no fields yet, and a thumbnail "
                         "needs them; wait for the first ones.")
@@ -195,8 +200,10 @@ def make_thumbnail(run, options, out):
     return ["thumbnail.png"], []
 
 
-def draw(options, state="finished"):
-    """Draw what there is, in a folder beside, and put all in its place."""
+def draw(options: argparse.Namespace,
+         state: str = "finished") -> tuple[pathlib.Path, list[str], list[str]]:
+    """Draw what there is, in a folder beside, and put all in its place: this folder,
+    the names of the files, and notes."""
     options.reload_every = options.watch if state == "running" else None
     run = RunFolder(options.folder)
     out = pathlib.Path(options.output or options.folder)
@@ -208,26 +215,36 @@ def draw(options, state="finished"):
             run.record(names)
         for name in names:
             os.replace(pathlib.Path(beside) / name, out / name)
+    return out, names, notes
+
+
+def draw_run(folder: str | os.PathLike[str]) -> None:
+    """All that the command draws with its defaults, without a word."""
+    draw(parse([str(folder)]))
+
+
+def draw_and_say(options: argparse.Namespace, state: str = "finished") -> None:
+    out, names, notes = draw(options, state)
     for note in notes:
         print(note)
     if names:
         print(f"Wrote {', '.join(names)} to {out}", flush=True)
 
 
-def draw_while_it_goes_on(options):
+def draw_while_it_goes_on(options: argparse.Namespace) -> None:
     folder = pathlib.Path(options.folder)
     if state_of(folder) == "none":
         print(f"Waiting for a run in '{folder}'.", flush=True)
-    state = watch(folder, options.watch, lambda state: draw(options, state))
+    state = watch(folder, options.watch, lambda state: draw_and_say(options, state))
     if state == "killed":
         print("The run was killed: 'lumbricus --restart' goes on from its last "
               "checkpoint.")
 
 
-def main(arguments=None):
+def main(arguments: Sequence[str] | None = None) -> int:
     options = parse(arguments)
     try:
-        draw(options) if options.watch is None else draw_while_it_goes_on(options)
+        (draw_and_say if options.watch is None else draw_while_it_goes_on)(options)
     except PlotError as error:
         print(f"lumbricus-plot: {error}", file=sys.stderr)
         return 1

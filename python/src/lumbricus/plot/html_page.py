@@ -4,6 +4,11 @@
 import base64
 import html
 import math
+import pathlib
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from .arrays import Number
 
 STYLE = """
 :root { color-scheme: light dark; --text: #1d1d1f; --page: #ffffff;
@@ -38,23 +43,24 @@ summary { cursor: pointer; margin: 0.6rem 0; }
 KINDS = {".png": "image/png", ".gif": "image/gif", ".mp4": "video/mp4"}
 
 
-def number(value, digits=3):
+def number(value: Number, digits: int = 3) -> str:
     """As in '0.0123' or '1.5e-14'; '–' where there is none."""
     return f"{value:.{digits}g}" if math.isfinite(value) else "–"
 
 
-def paragraph(text, kind=""):
+def paragraph(text: str, kind: str = "") -> str:
     kind = f' class="{kind}"' if kind else ""
     return f"<p{kind}>{html.escape(text)}</p>"
 
 
-def heading(text):
+def heading(text: str) -> str:
     return f"<h2>{html.escape(text)}</h2>"
 
 
-def table(names, rows, text_columns=1):
+def table(names: Sequence[str], rows: Iterable[Sequence[Any]],
+          text_columns: int = 1) -> str:
     """The first columns are text, aligned to the left."""
-    def row(cells, tag):
+    def row(cells: Sequence[Any], tag: str) -> str:
         return "<tr>" + "".join(
             f'<{tag}{" class=text" if i < text_columns else ""}>'
             f"{html.escape(str(cell))}</{tag}>"
@@ -66,12 +72,12 @@ def table(names, rows, text_columns=1):
             "</tbody></table></div>")
 
 
-def details(title, content):
+def details(title: str, content: str) -> str:
     return (f"<details><summary>{html.escape(title)}</summary>\n{content}\n"
             "</details>")
 
 
-def figure(file_name, title, caption):
+def figure(file_name: pathlib.Path, title: str, caption: str) -> str:
     """A picture, a film, or a page with a scene, as part of the page."""
     if file_name.suffix == ".html":
         return framed(f'<iframe loading="lazy" title="{html.escape(title)}" srcdoc="'
@@ -86,13 +92,13 @@ def figure(file_name, title, caption):
     return framed(shown, title, caption)
 
 
-def framed(shown, title, caption):
+def framed(shown: str, title: str, caption: str) -> str:
     title, caption = html.escape(title), html.escape(caption)
     return (f"<figure>{shown}\n<figcaption><strong>{title}.</strong> "
             f"{caption}</figcaption></figure>")
 
 
-def page(title, content, reload_every=None):
+def page(title: str, content: Iterable[str], reload_every: float | None = None) -> str:
     reload = ("" if reload_every is None else
               f'<meta http-equiv="refresh" content="{reload_every:g}">\n')
     return (f'<!DOCTYPE html>\n<html lang="en-GB">\n<head>\n'

@@ -9,9 +9,9 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.colors import Colormap
 
+from ..arrays import Array
 from ..scene import LIQUID_COLOURS, MUSCLE_COLOURS
 from ..surface import Faces, contraction
-from .skin import Array
 
 N_COLOURS = 256
 

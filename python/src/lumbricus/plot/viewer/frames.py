@@ -12,13 +12,14 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Array, Series
 from ..body import Body
 from ..fields import read_grid, read_obstacles
 from ..scene import LINE_COLOUR, OBSTACLE_COLOUR
 from ..surface import ALONG_EDGE, Faces
 from ..view import VIEW
 from .colouring import Colouring, colourings_of
-from .skin import DIVISIONS, Array, Skin, moved
+from .skin import DIVISIONS, Skin, moved
 
 LEVELS = 65535          # of a coordinate
 # The most bytes before they are packed. A scene with so many has some 10 MB.
@@ -55,7 +56,7 @@ class Recording:
     """The times of a run, one after the other, on as fine a mesh as there is room
     for. Where even the coarsest needs too much some times are left out."""
 
-    def __init__(self, body: Body, shown: list[tuple[float, pathlib.Path]],
+    def __init__(self, body: Body, shown: Series,
                  obstacles: dict[float, pathlib.Path]) -> None:
         self.body = body
         self.meshes: list[Mesh] = []

@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """scene.html: a page that needs no other file, and no network."""
 
+import argparse
 import base64
 import html
 import importlib.resources
 import json
 import pathlib
 import zlib
-from typing import Any
 
 from ..animation import seconds_of_frames
 from ..figures import choose_times
+from ..run_folder import RunFolder
 from .frames import Recording
 
 PAGE = """<!DOCTYPE html>
@@ -58,7 +59,8 @@ def caption(recording: Recording) -> str:
     return text
 
 
-def write_scene(run: Any, options: Any, file_name: pathlib.Path) -> str:
+def write_scene(run: RunFolder, options: argparse.Namespace,
+                file_name: pathlib.Path) -> str:
     """Write the scene of a run; what it shows."""
     shown = choose_times(run.series, [], options.frames)
     recording = run.reading(shown[0][1], Recording, run.body, shown, run.obstacles)

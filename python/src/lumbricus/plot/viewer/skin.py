@@ -1,16 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The faces of a body as triangles that stay the same while it moves."""
 
-from typing import Any
-
 import numpy as np
-import numpy.typing as npt
 import pyvista
 
+from ..arrays import Array
 from ..fields import place_keys
 from ..surface import ROWS, SHARP, Faces, on_edge
-
-Array = npt.NDArray[Any]
 
 # In how many parts an edge of a face is divided, from fine to coarse; with 2 the
 # points are the nodes of the face.
@@ -67,10 +63,10 @@ class Skin:
     def at_points(self, values: Array) -> Array:
         """A field at all points of all faces."""
         found = np.einsum("pi,fi...->fp...", self.weights, values[self.nodes])
-        return found.reshape(-1, *found.shape[2:])
+        return np.asarray(found.reshape(-1, *found.shape[2:]))
 
     def at_vertices(self, values: Array) -> Array:
-        return self.at_points(values)[self.first]
+        return np.asarray(self.at_points(values)[self.first])
 
     def fits(self, faces: Faces) -> bool:
         """Whether these are the same faces of the same mesh at rest."""
