@@ -171,7 +171,7 @@ def test_the_body_in_it_is_that_of_the_run(drawn):
     mesh, = words["meshes"]
     assert [frame["time"] for frame in words["frames"]] == pytest.approx(TIMES)
     n, skin = mesh["vertices"], mesh["skin"]
-    fixed = 12 * mesh["triangles"] + 8 * (mesh["lines"] + mesh["obstacle"]) + skin
+    fixed = 12 * mesh["triangles"] + 8 * mesh["lines"] + skin
     a_frame = 6 * n + skin * len(words["colourings"])
     assert len(numbers) == fixed + a_frame * len(TIMES)
     places = np.zeros((3, n), dtype=np.uint16)

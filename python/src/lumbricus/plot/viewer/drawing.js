@@ -10,34 +10,39 @@ class Recording {
       const bytes = numbers.slice(this.at, this.at += n * Kind.BYTES_PER_ELEMENT);
       return new Kind(bytes.buffer);
     };
+    const takePlaces = (n, before) => {
+      const low = take(Uint8Array, 3 * n), high = take(Uint8Array, 3 * n);
+      const places = new Uint16Array(3 * n);
+      for (let i = 0; i < 3 * n; i++)
+        places[i] = low[i] + 256 * high[i] + (before ? before[i] : 0);
+      return places;
+    };
     for (const mesh of this.meshes) {
       mesh.index = take(Uint32Array, 3 * mesh.triangles);
       mesh.lineIndex = take(Uint32Array, 2 * mesh.lines);
-      mesh.obstacleIndex = take(Uint32Array, 2 * mesh.obstacle);
       mesh.liquid = take(Uint8Array, mesh.skin);
     }
-    let before = null, last = null;
+    for (const obstacle of this.obstacles) {
+      obstacle.index = take(Uint32Array, 2 * obstacle.lines);
+      obstacle.places = takePlaces(obstacle.points, null);
+    }
+    let before = null;
     for (const frame of this.frames) {
-      const mesh = this.meshes[frame.mesh], n = mesh.vertices;
-      const low = take(Uint8Array, 3 * n), high = take(Uint8Array, 3 * n);
-      const places = new Uint16Array(3 * n);
-      const same = before !== null && before.mesh === frame.mesh;
-      for (let i = 0; i < 3 * n; i++)
-        places[i] = low[i] + 256 * high[i] + (same ? last[i] : 0);
-      frame.places = places;
+      const mesh = this.meshes[frame.mesh];
+      frame.places = takePlaces(mesh.vertices, before && before.mesh === frame.mesh
+        ? before.places : null);
       frame.colours = this.colourings.map(() => take(Uint8Array, mesh.skin));
       before = frame;
-      last = places;
     }
   }
 
-  // Coordinates of a time, x, y and z of one vertex after the other.
-  points(frame) {
-    const n = frame.places.length / 3, found = new Float32Array(3 * n);
+  // Coordinates at some places, x, y and z of one vertex after the other.
+  points(places) {
+    const n = places.length / 3, found = new Float32Array(3 * n);
     for (let d = 0; d < 3; d++)
       for (let i = 0; i < n; i++)
         found[3 * i + d] = this.low[d] - this.centre[d]
-          + frame.places[d * n + i] / 65535 * this.size[d];
+          + places[d * n + i] / 65535 * this.size[d];
     return found;
   }
 }
@@ -71,6 +76,8 @@ void main() {
 function plainColour(text) {
   return [1, 3, 5].map(i => parseInt(text.slice(i, i + 2), 16) / 255).concat([1]);
 }
+
+const NOTHING = {index: new Uint32Array(0), places: new Uint16Array(0)};
 
 class Painter {
   constructor(canvas, recording) {
@@ -122,23 +129,29 @@ class Painter {
   load(number, choice) {
     const gl = this.gl, recording = this.recording;
     const frame = recording.frames[number], mesh = recording.meshes[frame.mesh];
-    if (this.mesh !== mesh) {
-      this.mesh = mesh;
-      const all = new Uint32Array(3 * mesh.triangles + 2 * (mesh.lines + mesh.obstacle));
-      all.set(mesh.index);
-      all.set(mesh.lineIndex, mesh.index.length);
-      all.set(mesh.obstacleIndex, mesh.index.length + mesh.lineIndex.length);
-      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, all, gl.STATIC_DRAW);
-      const liquid = new Uint8Array(mesh.vertices);
-      liquid.set(mesh.liquid);
-      this.fill("liquid", liquid);
+    const obstacle = recording.obstacles[frame.obstacle] || NOTHING;
+    const n = mesh.vertices + obstacle.places.length / 3;
+    // As long as all vertices, with zeros at the end.
+    const padded = (Kind, size, ...parts) => {
+      const all = new Kind(size);
+      let at = 0;
+      for (const part of parts) { all.set(part, at); at += part.length; }
+      return all;
+    };
+    if (this.mesh !== mesh || this.obstacle !== obstacle) {
+      [this.mesh, this.obstacle] = [mesh, obstacle];
+      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, padded(
+        Uint32Array, 3 * mesh.triangles + 2 * mesh.lines + obstacle.index.length,
+        mesh.index, mesh.lineIndex, obstacle.index.map(i => i + mesh.vertices)),
+        gl.STATIC_DRAW);
+      this.fill("liquid", padded(Uint8Array, n, mesh.liquid));
     }
-    const points = recording.points(frame);
-    this.fill("place", points);
-    this.fill("normal", normals(points, mesh.index, mesh.vertices));
-    const colours = new Uint8Array(mesh.vertices);
-    colours.set(frame.colours[choice]);
-    this.fill("colour", colours);
+    const points = recording.points(frame.places);
+    this.fill("place", padded(Float32Array, 3 * n, points,
+                              recording.points(obstacle.places)));
+    this.fill("normal", padded(Int8Array, 4 * n,
+                               normals(points, mesh.index, mesh.vertices)));
+    this.fill("colour", padded(Uint8Array, n, frame.colours[choice]));
     const scales = recording.colourings[choice].scales;
     const dots = new Uint8Array(4 * 256 * 2).fill(255);
     for (let row = 0; row < 2; row++) {
@@ -182,7 +195,7 @@ class Painter {
     const [skin, lines] = [mesh.index.length, mesh.lineIndex.length];
     part(gl.TRIANGLES, 0, skin, [0, 0, 0, 0], 0);
     part(gl.LINES, skin, lines, plainColour(recording.line), 4e-4);
-    part(gl.LINES, skin + lines, mesh.obstacleIndex.length,
+    part(gl.LINES, skin + lines, this.obstacle.index.length,
          plainColour(recording.obstacle), 0);
   }
 }
