@@ -22,8 +22,9 @@ from selenium.webdriver.support.ui import Select, WebDriverWait
 sys.path.insert(0, str(SOURCE / "python" / "src"))
 from lumbricus.plot.command import main  # noqa: E402
 from lumbricus.plot.fields import read_grid, read_series  # noqa: E402
+from lumbricus.plot.viewer.frames import Recording  # noqa: E402
 
-FLAGS = ["--headless=new", "--no-sandbox", "--disable-quic", "--no-first-run",
+FLAGS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-quic", "--no-first-run",
          "--disable-background-networking", "--disable-component-update",
          "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
          "--window-size=900,900", "--proxy-server=127.0.0.1:9"]
@@ -209,3 +210,48 @@ def test_large_runs_are_thinned(drawn, monkeypatch, tmp_path):
     assert sizes[0][0] > sizes[1][0] >= sizes[2][0]
     assert [n for _, n in sizes] == [3, 3, 2]
     assert "Left out for the size of the file: 1 times." in (tmp_path / "report.html").read_text()
+
+
+def test_meshes_that_change(tmp_path, browser):
+    """A mesh is there once for all times that have it."""
+    run = run_well(SOURCE / "tests" / "physics" / "chain.prm", tmp_path, [
+        "Output/Every=1", "Time/End=0.2", "Adaptivity/Every=2",
+        "Adaptivity/Finest level=1"])
+    cells = [row["cells"] for row in run.table("mesh.csv")]
+    assert len(set(cells)) == 2
+    assert main([str(run.folder), "--only", "scene"]) == 0
+    words, _ = unpacked(run.folder / "scene.html")
+    assert [frame["mesh"] for frame in words["frames"]] == [0, 0, 1]
+    assert words["meshes"][1]["triangles"] > words["meshes"][0]["triangles"]
+    assert words["obstacles"] == []
+    browser.get((run.folder / "scene.html").as_uri())
+    WebDriverWait(browser, 60).until(lambda driver: driver.find_element(
+        By.TAG_NAME, "body").get_attribute("data-state") == "ready")
+    before = image(browser)
+    browser.execute_script("arguments[0].value = 2; arguments[0].oninput()",
+                           find(browser, "slider"))
+    assert part_that_differs(before, image(browser)) > 0.01
+    assert browser.get_log("browser") == []
+
+
+def test_obstacles(tmp_path, browser):
+    """Their grid goes with the body; one that does not is there once."""
+    run = run_well(SOURCE / "tests" / "physics" / "ground.prm", tmp_path, [
+        "Output/Every=1", "Time/First step=0.5", "Time/Largest step=0.5"])
+    assert main([str(run.folder), "--only", "scene"]) == 0
+    words, _ = unpacked(run.folder / "scene.html")
+    assert len(words["frames"]) == 3
+    assert [frame["obstacle"] for frame in words["frames"]] == [0, 1, 2]
+    recording = Recording.__new__(Recording)
+    recording.obstacles = []
+    files = [file for _, file in read_series(run.folder, "obstacles.pvd")]
+    assert [recording.number_of_obstacle(file) for file in
+            (files[0], files[0], None, files[1])] == [0, 0, -1, 1]
+    assert "contact pressure [N/mm²]" in [c["name"] for c in words["colourings"]]
+    browser.get((run.folder / "scene.html").as_uri())
+    WebDriverWait(browser, 60).until(lambda driver: driver.find_element(
+        By.TAG_NAME, "body").get_attribute("data-state") == "ready")
+    # Lines in the colour of obstacles, which nothing else has.
+    colour = [int(words["obstacle"][i:i + 2], 16) for i in (1, 3, 5)]
+    assert (np.abs(image(browser) - colour).max(axis=2) < 8).sum() > 100
+    assert browser.get_log("browser") == []

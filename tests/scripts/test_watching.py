@@ -16,7 +16,7 @@ from lumbricus_run import SOURCE, run_well
 PLOT = [sys.executable, str(SOURCE / "scripts" / "lumbricus-plot")]
 CASE = SOURCE / "tests" / "physics" / "chain.prm"
 # More steps than the test takes.
-SLOWLY = ["Time/End=1", "Time/First step=1e-3", "Time/Largest step=1e-3"]
+SLOWLY = ["Time/End=1", "Time/First step=1e-4", "Time/Largest step=1e-4"]
 RELOAD = '<meta http-equiv="refresh" content="0.3">'
 END_OF_PNG = b"IEND\xaeB`\x82"
 
