@@ -30,7 +30,7 @@ class Page(html.parser.HTMLParser):
                 self.needs.append(value)
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def page(file: pathlib.Path) -> Page:
     return Page(file.read_text(encoding="utf-8"))
 

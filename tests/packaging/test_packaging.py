@@ -77,7 +77,8 @@ def test_another_version_is_refused(file, clone, tmp_path):
 def test_the_tarball_has_what_is_committed(clone, tmp_path):
     for name in ("one", "two"):
         release(clone, tmp_path / name, "tarball")
-    one, two = (tmp_path / name / f"lumbricus-{VERSION}.tar.gz" for name in ("one", "two"))
+    one, two = (tmp_path / name / f"lumbricus-{VERSION}.tar.gz"
+                for name in ("one", "two"))
     assert one.read_bytes() == two.read_bytes()
     with tarfile.open(one) as file:
         names = {member.name for member in file.getmembers() if member.isfile()}

@@ -33,7 +33,8 @@ def test_types(tmp_path):
 
 
 def test_style():
-    check("ruff", "check", "--no-cache", "src", "notebooks", "../tests/python")
+    check("ruff", "check", "--no-cache", "src", "notebooks", "../tests/python",
+          "../tests/site", "../tests/packaging", "../doc/site")
 
 
 def test_examples_in_docstrings():

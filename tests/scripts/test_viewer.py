@@ -24,8 +24,8 @@ from lumbricus.plot.command import main  # noqa: E402
 from lumbricus.plot.fields import read_grid, read_series  # noqa: E402
 from lumbricus.plot.viewer.frames import Recording  # noqa: E402
 
-FLAGS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-quic", "--no-first-run",
-         "--disable-background-networking", "--disable-component-update",
+FLAGS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage",
+         "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
          "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
          "--window-size=900,900", "--proxy-server=127.0.0.1:9"]
 TIMES = [0, 0.1, 0.2]
@@ -209,7 +209,8 @@ def test_large_runs_are_thinned(drawn, monkeypatch, tmp_path):
         sizes.append((words["meshes"][0]["triangles"], len(words["frames"])))
     assert sizes[0][0] > sizes[1][0] >= sizes[2][0]
     assert [n for _, n in sizes] == [3, 3, 2]
-    assert "Left out for the size of the file: 1 times." in (tmp_path / "report.html").read_text()
+    report = (tmp_path / "report.html").read_text()
+    assert "Left out for the size of the file: 1 times." in report
 
 
 def test_meshes_that_change(tmp_path, browser):
