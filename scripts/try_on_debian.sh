@@ -80,6 +80,8 @@ make_root()
   debootstrap --variant=minbase --include=ca-certificates,git \
     "$release" "$root" "$mirror"
   cp /etc/resolv.conf "$root/etc/resolv.conf"
+  # Which a browser and its driver talk by.
+  echo "127.0.0.1 localhost" > "$root/etc/hosts"
   if [ -n "${DEBIAN_CERTIFICATES:-}" ]; then
     cp "$DEBIAN_CERTIFICATES"/*.crt "$root/usr/local/share/ca-certificates/"
     in_root update-ca-certificates
