@@ -52,6 +52,11 @@ build_packages=(g++ cmake ninja-build libdeal.ii-dev libmumps-dev
 # The last two let VTK draw without a screen, in software.
 python_packages=(python3 python3-venv libegl1 libgl1-mesa-dri)
 test_packages=(libgtest-dev numdiff doxygen)
+# A browser shows the scene of a report. Ubuntu has it as a snap only, which containers
+# cannot start: there that test is left out.
+if grep -qx "ID=debian" /etc/os-release 2>/dev/null; then
+  test_packages+=(chromium chromium-driver)
+fi
 
 # Open MPI refuses to start for root, as in containers, without the first two,
 # and more ranks than cores without the third; without the last, runs side by

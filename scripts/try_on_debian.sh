@@ -10,6 +10,9 @@
 #   main_job   scripts/main_job.sh
 #   test       scripts/test.sh
 #   headers    every header compiled alone
+#   deb        the Debian packages, by scripts/release.sh, installed and run
+#   sweep      the Python package in an environment of its own, with the program
+#              of the Debian package, and the sweep of doc/first-hour.md
 #
 # Each step leaves a transcript, and all of them the file times.txt, in
 # results/debian/RELEASE. A root that is there already is used as it is, so that
@@ -30,7 +33,7 @@ repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 mirror=${DEBIAN_MIRROR:-http://deb.debian.org/debian}
 
 if [ $# -eq 0 ]; then
-  echo "Usage: scripts/try_on_debian.sh RELEASE [main_job] [test] [headers]" >&2
+  echo "Usage: scripts/try_on_debian.sh RELEASE [main_job] [test] [headers] [deb] [sweep]" >&2
   exit 1
 fi
 release=$1
@@ -77,6 +80,8 @@ make_root()
   debootstrap --variant=minbase --include=ca-certificates,git \
     "$release" "$root" "$mirror"
   cp /etc/resolv.conf "$root/etc/resolv.conf"
+  # Which a browser and its driver talk by.
+  echo "127.0.0.1 localhost" > "$root/etc/hosts"
   if [ -n "${DEBIAN_CERTIFICATES:-}" ]; then
     cp "$DEBIAN_CERTIFICATES"/*.crt "$root/usr/local/share/ca-certificates/"
     in_root update-ca-certificates
@@ -104,6 +109,36 @@ if [ ! -e "$root/is_complete" ]; then
   echo "root: $(($(now) - start)) s" | tee -a "$transcripts/times.txt"
 fi
 
+# In the root: the packages that the tarball gives, installed and run. What is to
+# be built with comes from packaging/debian alone.
+packages_of_debian='set -e
+export DEBIAN_FRONTEND=noninteractive JOBS=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+apt-get update -q && apt-get install -y -q --no-install-recommends dpkg-dev
+apt-get build-dep -y -q --no-install-recommends "$PWD/packaging"
+scripts/release.sh /root/release deb
+apt-get install -y -q --no-install-recommends /root/release/lumbricus_*.deb
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+cd /tmp && mpirun -np 2 lumbricus /usr/share/doc/lumbricus/examples/antagonism/case.prm \
+  --output /root/antagonism --set Output/Every=0 --set Time/End=0.5'
+
+# The commands of doc/first-hour.md, as they are there: lines that begin with a
+# dollar sign, and the file that one of them makes.
+sweep_of_the_first_hour='set -e
+apt-get install -y -q --no-install-recommends python3 python3-venv libegl1 libgl1-mesa-dri
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 MPLBACKEND=Agg
+rm -rf try results/amplitudes
+python3 -m venv try
+try/bin/pip install -q --disable-pip-version-check "./python[fields]"
+sed -n "/^    import lumbricus/,/savefig/s/^    //p" doc/first-hour.md > waves.py
+cat waves.py
+for i in 1 2; do
+  begin=$(date +%s.%N)
+  try/bin/python waves.py
+  python3 -c "import sys; print(f\"{float(sys.argv[2]) - float(sys.argv[1]):.1f} s\")" \
+    "$begin" "$(date +%s.%N)"
+done
+try/bin/lumbricus-plot results/amplitudes/$(ls results/amplitudes | grep -v "[.]" | head -1)'
+
 # As git clone gives it, but from here; build folders that are there stay.
 revision=$(git -C "$repository" rev-parse HEAD)
 [ -e "$root/root/lumbricus" ] || git clone -q "$repository" "$root/root/lumbricus"
@@ -119,6 +154,8 @@ for step in "$@"; do
       ;;
     test) try test scripts/test.sh ;;
     headers) try headers "cmake --build build-Release --target headers" ;;
+    deb) try deb "$packages_of_debian" ;;
+    sweep) try sweep "$sweep_of_the_first_hour" ;;
     *)
       echo "try_on_debian.sh: the step '$step' is unknown." >&2
       exit 1

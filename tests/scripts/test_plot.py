@@ -107,6 +107,7 @@ def test_pictures(report):
 
 def test_report_is_in_one_file(report):
     page = Page(report / "report.html")
+    assert page.tags.count("iframe") == 1
     assert "script" not in page.tags and "link" not in page.tags
     assert page.tags.count("img") == 4
     for reference in page.references:

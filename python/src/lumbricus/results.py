@@ -149,3 +149,17 @@ class Run:
                  + (", but at " + ", ".join(f"{time:g}" for time, _ in series)
                     if series else "; see Output/Every") + "."), folder=self.folder)
         return read_grid(found[0][1])
+
+    def report(self) -> pathlib.Path:
+        """Draw all that lumbricus-plot draws, in the folder of the run; report.html.
+        Needs the packages of lumbricus[fields].
+
+        Raises LumbricusError where there is nothing to draw yet, or not all files.
+        """
+        from .plot.command import draw_run
+        from .plot.run_folder import PlotError
+        try:
+            draw_run(self.folder)
+        except PlotError as error:
+            raise LumbricusError(str(error), folder=self.folder) from None
+        return self.folder / "report.html"

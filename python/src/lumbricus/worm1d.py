@@ -3,7 +3,7 @@
 
 A segment is a tube of layers, filled with liquid, both incompressible, without septa:
 all radii are those at rest over sqrt(l), l the stretch of its length, and with the
-active stretches of its muscles, e = 1/G^2, the force along it is
+active stretches of its muscles, e = 1/G^2, the force along it is::
 
     T(l) = sum_i A_i mu_i (l e_zz - (e_rr + e_tt)/(2 l^2)),
 
@@ -12,7 +12,7 @@ active stretches of its muscles, e = 1/G^2, the force along it is
 
 Segments of n elements each lie in a row on ground that holds each point up to a limit,
 forward k_f and backward k_b per length at rest, with the elastic slip delta as in
-doc/theory.md ("Contact and friction"): with the slip s > 0 towards the head,
+doc/theory.md ("Contact and friction"): with the slip s > 0 towards the head::
 
     f = -K s/(delta max(1, |s| K/(delta k))),   K = max(k_f, k_b),  k = k_f or k_b.
 
@@ -164,7 +164,7 @@ class Crawl:
 
 @dataclasses.dataclass(frozen=True)
 class Worm:
-    """Equal segments in a row.
+    """Equal segments in a row::
 
         tube = Tube(2.0, (Layer(0.15, 0.23, "longitudinal"),
                           Layer(0.15, 0.23, "circular")))

@@ -2,18 +2,22 @@
 """Which segments are anchored against time, and beside it how far the body has
 come."""
 
+import pathlib
+
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import ListedColormap
 
+from .arrays import Array, Columns
 from .figures import INCHES, save
 from .kymograph import borders
+from .run_folder import RunFolder
 
 FREE, SLIDES, ANCHORED = range(3)
 COLOURS = ListedColormap(["#ffffff", "#e8d3b0", "#5a3d1e"])
 
 
-def anchored(contact, segments):
+def anchored(contact: Columns, segments: Array) -> tuple[Array, Array]:
     """Times, and of every segment [time, segment] whether it is free, slides or
     is anchored, by any obstacle."""
     times = np.unique(contact["t"])
@@ -27,7 +31,8 @@ def anchored(contact, segments):
     return times, found
 
 
-def draw_anchors(run, file_name):
+def draw_anchors(run: RunFolder, file_name: pathlib.Path) -> None:
+    assert run.contact is not None
     contact, body = run.contact
     numbers = run.segment_numbers
     times, state = anchored(contact, numbers)

@@ -3,7 +3,9 @@
 when it is cut open."""
 
 import numpy as np
+import pyvista
 
+from .arrays import Array, Columns, Json
 from .fields import MIDDLE, MIRRORED, grid_of, nodes_of_cells
 from .view import VIEW
 
@@ -16,7 +18,7 @@ class Body:
     mirrored, its axis, and which tissues are liquid. A plane is (d, position):
     x_d = position."""
 
-    def __init__(self, description):
+    def __init__(self, description: Json) -> None:
         self.mirrors = [(AXES.index(plane["normal"]), plane["position"])
                         for plane in description["symmetry_planes"]]
         self.axis = AXES.index(description["axis"])
@@ -24,7 +26,7 @@ class Body:
                                in enumerate(description["tissues"])
                                if tissue["liquid"]]
 
-    def whole(self, grid):
+    def whole(self, grid: pyvista.UnstructuredGrid) -> tuple[Array, Array, Columns]:
         """The points, nodes [cell, node] and fields of the whole body."""
         points, nodes = grid.points, nodes_of_cells(grid)
         # Tensors are not drawn.
@@ -37,7 +39,7 @@ class Body:
                       for name, values in fields.items()}
         return points, nodes, fields
 
-    def cut(self, points):
+    def cut(self, points: Array) -> list[tuple[int, float]]:
         """The two planes along which a body with these points is cut open: of
         symmetry or through the axis, first those that have the axis in them,
         and with a part of the body on both sides. None where there are no
@@ -51,7 +53,9 @@ class Body:
                  and points[:, d].max() > position + size]
         return sorted(found[:2]) if len(found) >= 2 else []
 
-    def opened(self, grid):
+    def opened(self,
+               grid: pyvista.UnstructuredGrid
+              ) -> tuple[pyvista.UnstructuredGrid, list[tuple[int, float]]]:
         """The body without the part between both planes of the cut and the
         viewer, and these planes. Where there are faces of cells on them, none
         is cut, which keeps all faces curved."""
@@ -68,11 +72,11 @@ class Body:
         return grid_of(points, nodes, fields), planes
 
 
-def is_vector(values):
+def is_vector(values: Array) -> bool:
     return values.shape[1:] == (3,)
 
 
-def with_image(values, d, position=0.0):
+def with_image(values: Array, d: int | None, position: float = 0.0) -> Array:
     """Values at the points and at their images in the plane x_d = position;
     vectors have none of their own."""
     image = values.copy()

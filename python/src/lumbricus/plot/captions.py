@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the pictures in a report show."""
 
+from collections.abc import Sequence
 
-def no_formula(text):
+from .arrays import Array
+
+
+def no_formula(text: str) -> str:
     """A text of the user's, in which Matplotlib sees no formula."""
     return text.replace("$", r"\$")
 
 
-def animation_caption(times, with_fibres, with_obstacles):
+def animation_caption(times: Sequence[float] | Array, with_fibres: bool,
+                      with_obstacles: bool) -> str:
     when = (f"Time t = {times[0]:g}." if len(times) == 1 else
             f"{len(times)} times from t = {times[0]:g} to t = {times[-1]:g}.")
     text = (when + " The body is cut open along two planes through its axis or "

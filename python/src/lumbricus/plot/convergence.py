@@ -1,13 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How the run converged: resets, divergence after each, Newton's residuals."""
 
+import pathlib
+
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
 
+from .arrays import Array
 from .figures import INCHES, save
+from .run_folder import RunFolder
 
 NOTHING = "nothing yet"
 STEP_COLOURS = plt.get_cmap("viridis")
@@ -17,7 +23,7 @@ NEWTON_PANELS = [
     ("increment", "increment", "Newton/Increment tolerance")]
 
 
-def groups(*columns):
+def groups(*columns: Array) -> list[slice]:
     """Slices of the rows in which none of the columns changes."""
     n = len(columns[0])
     changes = np.zeros(max(n - 1, 0), dtype=bool)
@@ -27,7 +33,7 @@ def groups(*columns):
     return [slice(a, b) for a, b in zip([0, *ends], ends)]
 
 
-def solves(run):
+def solves(run: RunFolder) -> Array:
     """For every solve, in order: time, cycle, number of resets before it and
     largest divergence of all segments."""
     table = run.resets
@@ -37,7 +43,7 @@ def solves(run):
     return np.array(found).reshape(-1, 4).T
 
 
-def resets_of_steps(run):
+def resets_of_steps(run: RunFolder) -> tuple[Array, Array]:
     """Times, and resets of each step with the adaptations that follow it."""
     t, cycle, reset, _ = solves(run)
     steps = groups(t)
@@ -46,23 +52,23 @@ def resets_of_steps(run):
     return np.array([t[rows][0] for rows in steps]), np.array(counts)
 
 
-def positive(values):
+def positive(values: Array) -> Array:
     """With gaps where a logarithmic axis has no place."""
     return np.where(values > 0, values, np.nan)
 
 
-def draw_tolerance(axes, value, label):
+def draw_tolerance(axes: Axes, value: float | None, label: str) -> None:
     if value is not None and value > 0:
         axes.axhline(value, color="#b03020", linewidth=0.9, linestyle="--",
                      label=label, zorder=1)
 
 
-def say(axes, text):
+def say(axes: Axes, text: str) -> None:
     axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center",
               va="center", fontsize=8, color="#777777")
 
 
-def draw_resets(axes, run):
+def draw_resets(axes: Axes, run: RunFolder) -> None:
     times, counts = resets_of_steps(run)
     if not len(times):
         say(axes, NOTHING)
@@ -83,7 +89,7 @@ def draw_resets(axes, run):
                    loc="left")
 
 
-def draw_divergence(axes, run):
+def draw_divergence(axes: Axes, run: RunFolder) -> None:
     t, _, reset, eta = solves(run)
     axes.set_title(r"largest divergence $\eta$ [-] of all segments, "
                    "after every solve", fontsize=9, loc="left")
@@ -110,7 +116,7 @@ def draw_divergence(axes, run):
                 bbox_to_anchor=(0.5, -0.2), frameon=False)
 
 
-def newton_lines(run, name):
+def newton_lines(run: RunFolder, name: str) -> tuple[list[Array], Array]:
     """Points (iteration, value) of every solve, and the step it belongs to."""
     table = run.newton
     iteration, step = table["iteration"], table["step"]
@@ -123,7 +129,8 @@ def newton_lines(run, name):
             np.array([step[rows][0] for rows in rows_of_solves]))
 
 
-def draw_newton(axes, run, name, title, tolerance):
+def draw_newton(axes: Axes, run: RunFolder, name: str, title: str,
+                tolerance: str) -> ScalarMappable | None:
     lines, steps = newton_lines(run, name)
     if not lines:
         say(axes, NOTHING)
@@ -143,7 +150,7 @@ def draw_newton(axes, run, name, title, tolerance):
     return plt.cm.ScalarMappable(norm=norm, cmap=STEP_COLOURS)
 
 
-def draw_convergence(run, file_name):
+def draw_convergence(run: RunFolder, file_name: pathlib.Path) -> None:
     figure = plt.figure(figsize=(INCHES, 7), layout="constrained")
     grid = figure.subplot_mosaic(
         [["resets"] * 3, ["eta"] * 3, [name for name, *_ in NEWTON_PANELS]],

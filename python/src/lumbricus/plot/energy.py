@@ -3,36 +3,39 @@
 stored."""
 
 import csv
+import pathlib
 
 import matplotlib.pyplot as plt
 import numpy as np
 
+from .arrays import Array
 from .captions import no_formula
 from .figures import INCHES, save
+from .run_folder import RunFolder
 
 LINES = {"stored": "-", "friction": "--", "balance": ":"}
 
 
-def read_work(file_name):
+def read_work(file_name: pathlib.Path) -> tuple[Array, dict[tuple[str, str], Array]]:
     """The times, and for every (kind, name) the sum of the work until each."""
     with open(file_name, encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     # In the order of the steps, in which the time may go back.
     place = {t: k for k, t in enumerate(dict.fromkeys(row["t"] for row in rows))}
     times = np.array([float(t) for t in place])
-    sums = {}
+    sums: dict[tuple[str, str], Array] = {}
     for row in rows:
         work = sums.setdefault((row["kind"], row["name"]), np.zeros(len(times)))
         work[place[row["t"]]] += float(row["work"])
     return times, {key: np.cumsum(work) for key, work in sums.items()}
 
 
-def label(kind, name):
+def label(kind: str, name: str) -> str:
     alone = kind in ("stored", "balance", name)
     return no_formula(kind if alone else f"{kind} {name}")
 
 
-def draw_energy(run, file_name):
+def draw_energy(run: RunFolder, file_name: pathlib.Path) -> None:
     times, sums = read_work(run.path / "energy.csv")
     figure, axes = plt.subplots(figsize=(INCHES, 3.4), layout="constrained")
     times = np.concatenate([[0.], times])

@@ -6,9 +6,12 @@ import os
 import pathlib
 import re
 import warnings
+from collections.abc import Mapping
 
 import numpy as np
 import pyvista
+
+from .arrays import Array
 
 N_NODES = 27
 MIDDLE = 26  # the last node
@@ -54,19 +57,20 @@ def read_grid(pvtu_file: str | os.PathLike[str]) -> pyvista.UnstructuredGrid:
     return grid
 
 
-def read_obstacles(vtu_file):
+def read_obstacles(vtu_file: pathlib.Path) -> pyvista.PolyData:
     """The surfaces of all obstacles at one time, as quadrilaterals."""
     with pyvista.VtkErrorCatcher(raise_errors=True, send_to_logging=False):
         return pyvista.read(vtu_file).extract_surface(
             algorithm="dataset_surface", pass_pointid=False, pass_cellid=False)
 
 
-def nodes_of_cells(grid):
+def nodes_of_cells(grid: pyvista.UnstructuredGrid) -> Array:
     """Numbers of points [cell, node]."""
-    return grid.cell_connectivity.reshape(-1, N_NODES)
+    return np.asarray(grid.cell_connectivity).reshape(-1, N_NODES)
 
 
-def grid_of(points, nodes, fields):
+def grid_of(points: Array, nodes: Array,
+            fields: Mapping[str, Array]) -> pyvista.UnstructuredGrid:
     """A grid of cells with nodes [cell, node], of 27 nodes hexahedra, of 9
     quadrilaterals, with the points and fields of these cells only."""
     kind = {N_NODES: pyvista.CellType.LAGRANGE_HEXAHEDRON,
@@ -79,17 +83,17 @@ def grid_of(points, nodes, fields):
     return grid
 
 
-def place_keys(points, size):
+def place_keys(points: Array, size: float) -> Array:
     """An integer for every place, the same for the same place in two cells of
     a body of that size."""
     lattice = np.floor(points / size * 1e4 + 0.4142).astype(np.int64)
-    return lattice @ np.array([1 << 40, 1 << 20, 1])
+    return np.asarray(lattice @ np.array([1 << 40, 1 << 20, 1]))
 
 
-def have_no_partner(keys, parts):
+def have_no_partner(keys: Array, parts: Array) -> Array:
     """Whether a thing with its middle at keys[i], whose parts have theirs at
     parts[i], is nothing else's equal, part or whole. Where the mesh is refined,
     cells have parts of others as neighbours."""
     _, index, count = np.unique(keys, return_inverse=True, return_counts=True)
-    return ((count[index] == 1) & ~np.isin(keys, parts)
-            & ~np.isin(parts, keys).any(axis=1))
+    return np.asarray((count[index] == 1) & ~np.isin(keys, parts)
+                      & ~np.isin(parts, keys).any(axis=1))

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Write images as a GIF or an MP4."""
 
+import pathlib
+from collections.abc import Sequence
+
 import imageio_ffmpeg
 import numpy as np
 from PIL import Image
@@ -9,7 +12,7 @@ NO_DITHER = 0
 FRAMES_PER_SECOND = 25  # of an MP4
 
 
-def common_palette(images):
+def common_palette(images: list[Image.Image]) -> Image.Image:
     """256 colours for all frames, so that none flickers. A colour counts by the
     root of how often it occurs, so that large areas leave some to the others;
     white paper stays white."""
@@ -32,7 +35,8 @@ def common_palette(images):
     return palette
 
 
-def write_gif(images, seconds, file_name):
+def write_gif(images: list[Image.Image], seconds: Sequence[float],
+              file_name: pathlib.Path) -> None:
     """Each image for so many seconds."""
     palette = common_palette(images)
     frames = [image.quantize(palette=palette, dither=NO_DITHER)
@@ -41,7 +45,8 @@ def write_gif(images, seconds, file_name):
                    duration=[int(1000 * s) for s in seconds], loop=0)
 
 
-def write_mp4(images, seconds, file_name):
+def write_mp4(images: list[Image.Image], seconds: Sequence[float],
+              file_name: pathlib.Path) -> None:
     # The format wants even sizes.
     width, height = (size // 2 * 2 for size in images[0].size)
     film = imageio_ffmpeg.write_frames(

@@ -4,6 +4,11 @@
 import base64
 import html
 import math
+import pathlib
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from .arrays import Number
 
 STYLE = """
 :root { color-scheme: light dark; --text: #1d1d1f; --page: #ffffff;
@@ -20,6 +25,7 @@ h2 { font-size: 1.2rem; margin-top: 2.2rem;
 figure { margin: 1.2rem 0; }
 figure img, figure video { width: 100%; height: auto; background: #ffffff;
   border-radius: 6px; padding: 6px; box-sizing: border-box; }
+figure iframe { width: 100%; height: 32rem; border: 0; border-radius: 6px; }
 figcaption, .note { color: var(--faint); font-size: 0.92rem; }
 .scroll { overflow: auto; max-height: 32rem; }
 table { border-collapse: collapse; font-size: 0.92rem;
@@ -37,23 +43,24 @@ summary { cursor: pointer; margin: 0.6rem 0; }
 KINDS = {".png": "image/png", ".gif": "image/gif", ".mp4": "video/mp4"}
 
 
-def number(value, digits=3):
+def number(value: Number, digits: int = 3) -> str:
     """As in '0.0123' or '1.5e-14'; '–' where there is none."""
     return f"{value:.{digits}g}" if math.isfinite(value) else "–"
 
 
-def paragraph(text, kind=""):
+def paragraph(text: str, kind: str = "") -> str:
     kind = f' class="{kind}"' if kind else ""
     return f"<p{kind}>{html.escape(text)}</p>"
 
 
-def heading(text):
+def heading(text: str) -> str:
     return f"<h2>{html.escape(text)}</h2>"
 
 
-def table(names, rows, text_columns=1):
+def table(names: Sequence[str], rows: Iterable[Sequence[Any]],
+          text_columns: int = 1) -> str:
     """The first columns are text, aligned to the left."""
-    def row(cells, tag):
+    def row(cells: Sequence[Any], tag: str) -> str:
         return "<tr>" + "".join(
             f'<{tag}{" class=text" if i < text_columns else ""}>'
             f"{html.escape(str(cell))}</{tag}>"
@@ -65,29 +72,39 @@ def table(names, rows, text_columns=1):
             "</tbody></table></div>")
 
 
-def details(title, content):
+def details(title: str, content: str) -> str:
     return (f"<details><summary>{html.escape(title)}</summary>\n{content}\n"
             "</details>")
 
 
-def figure(file_name, title, caption):
-    """A picture or film as part of the page."""
+def figure(file_name: pathlib.Path, title: str, caption: str) -> str:
+    """A picture, a film, or a page with a scene, as part of the page."""
+    if file_name.suffix == ".html":
+        return framed(f'<iframe loading="lazy" title="{html.escape(title)}" srcdoc="'
+                      + html.escape(file_name.read_text(encoding="utf-8"))
+                      + '"></iframe>', title, caption)
     data = base64.b64encode(file_name.read_bytes()).decode("ascii")
     source = f'src="data:{KINDS[file_name.suffix]};base64,{data}"'
-    title, caption = html.escape(title), html.escape(caption)
     if file_name.suffix == ".mp4":
-        shown = f"<video controls loop muted {source}>{title}</video>"
+        shown = f"<video controls loop muted {source}>{html.escape(title)}</video>"
     else:
-        shown = f'<img alt="{title}" {source}>'
+        shown = f'<img alt="{html.escape(title)}" {source}>'
+    return framed(shown, title, caption)
+
+
+def framed(shown: str, title: str, caption: str) -> str:
+    title, caption = html.escape(title), html.escape(caption)
     return (f"<figure>{shown}\n<figcaption><strong>{title}.</strong> "
             f"{caption}</figcaption></figure>")
 
 
-def page(title, content):
+def page(title: str, content: Iterable[str], reload_every: float | None = None) -> str:
+    reload = ("" if reload_every is None else
+              f'<meta http-equiv="refresh" content="{reload_every:g}">\n')
     return (f'<!DOCTYPE html>\n<html lang="en-GB">\n<head>\n'
             f'<meta charset="utf-8">\n'
             f'<meta name="viewport" content="width=device-width, '
-            f'initial-scale=1">\n<title>{html.escape(title)}</title>\n'
+            f'initial-scale=1">\n{reload}<title>{html.escape(title)}</title>\n'
             f"<style>{STYLE}</style>\n</head>\n<body>\n"
             f"<h1>{html.escape(title)}</h1>\n" + "\n".join(content)
             + "\n</body>\n</html>\n")

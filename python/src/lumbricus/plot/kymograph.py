@@ -1,21 +1,30 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Segments (downwards) against time: length, pressure and activation."""
 
+import pathlib
+from collections.abc import Mapping
+from typing import Any, TypeAlias
+
 import matplotlib.pyplot as plt
 import numpy as np
+import pyvista
 from matplotlib.colors import FuncNorm, Normalize
 
 from .activation import activation_of
+from .arrays import Array, Columns
 from .captions import no_formula
 from .fields import MEAN_WEIGHTS, MIDDLE, nodes_of_cells
 from .figures import INCHES, cell_borders, choose_times, goes_back, save
+from .run_folder import RunFolder
 from .scene import MUSCLE_COLOURS
 from .summary import extreme
 
+# Title, unit, times, values, colour map, norm.
+Panel: TypeAlias = tuple[str, str, Array, Array, Any, Any]
 MOST_TIMES = 200  # at which fields are read
 
 
-def mean_activations(grid, segments):
+def mean_activations(grid: pyvista.UnstructuredGrid, segments: Array) -> Columns:
     """For the activation of every muscle, by the name of its field, the mean in
     every segment over the volume at rest of the cells that have its fibres; nan
     where none has."""
@@ -26,9 +35,10 @@ def mean_activations(grid, segments):
                   == np.reshape(segments, (-1, 1)))
     means = {}
     for name in grid.point_data:
-        if not activation_of(name):
+        muscle = activation_of(name)
+        if not muscle:
             continue
-        fibre = grid["fibre_" + activation_of(name)[0]][middle]
+        fibre = grid["fibre_" + muscle[0]][middle]
         weights = in_segment * volumes * (np.linalg.norm(fibre, axis=1) > 0)
         total = weights.sum(axis=1)
         sums = weights @ (grid[name][nodes] @ MEAN_WEIGHTS)
@@ -37,7 +47,7 @@ def mean_activations(grid, segments):
     return means
 
 
-def activation(run):
+def activation(run: RunFolder) -> tuple[Array, Columns]:
     """Times, and by field the mean activation [time, segment]."""
     shown = choose_times(run.series, [], MOST_TIMES) if run.series else []
     rows = [mean_activations(run.grid(name), run.segment_numbers)
@@ -47,14 +57,14 @@ def activation(run):
     return times, {f: np.array([row[f] for row in rows]) for f in fields}
 
 
-def borders(times):
+def borders(times: Array) -> Array:
     """Where the colour changes; a single time is given some width."""
     if len(times) == 1:
         return np.array([times[0] - 0.5, times[0] + 0.5])
     return cell_borders(times)
 
 
-def ratio_norm(ratio):
+def ratio_norm(ratio: Array) -> FuncNorm:
     """Twice as long is as far from 1 as half as long."""
     logarithms = np.abs(np.log(ratio[np.isfinite(ratio)]))
     most = max([1e-3, *logarithms])
@@ -62,7 +72,8 @@ def ratio_norm(ratio):
                     np.exp(-most), np.exp(most))
 
 
-def activation_panels(times, of_muscles, what, rest, colours):
+def activation_panels(times: Array, of_muscles: Mapping[str, Array],
+                      what: str, rest: float, colours: Any) -> list[Panel]:
     """Panels of one kind of activation, with one scale, which has that at rest."""
     known = [values for values in of_muscles.values() if np.isfinite(values).any()]
     if not known:
@@ -75,7 +86,7 @@ def activation_panels(times, of_muscles, what, rest, colours):
              times, values, colours, norm) for muscle, values in of_muscles.items()]
 
 
-def panels(run):
+def panels(run: RunFolder) -> list[Panel]:
     """(title, unit, times, values, colour map, norm) from the top down."""
     ratio = run.field("length") / run.field("length")[0]
     found = [("length relative to rest", "-", run.times, ratio, "RdBu",
@@ -90,14 +101,14 @@ def panels(run):
     for what, rest, colours in (
             ("active stretch", 1, MUSCLE_COLOURS.reversed()),
             ("activation", 0, MUSCLE_COLOURS)):
-        of_kind = {activation_of(field)[0]: values
-                   for field, values in activations.items()
-                   if field.startswith(what.replace(" ", "_") + "_")}
+        of_kind = {muscle[0]: values for field, values in activations.items()
+                   if (muscle := activation_of(field))
+                   and field.startswith(what.replace(" ", "_") + "_")}
         found += activation_panels(times, of_kind, what, rest, colours)
     return found
 
 
-def draw_kymograph(run, file_name):
+def draw_kymograph(run: RunFolder, file_name: pathlib.Path) -> bool:
     """Write the picture; whether it shows any activation."""
     shown = panels(run)
     n_muscles = len(shown) - (2 if run.has_liquid else 1)
@@ -110,7 +121,7 @@ def draw_kymograph(run, file_name):
     numbers = run.segment_numbers
     over_steps = goes_back(run.times)
 
-    def places(times):
+    def places(times: Array) -> Array:
         """Over the steps where the time goes back."""
         return np.array([np.argmin(np.abs(run.times - t)) for t in times]) \
             if over_steps else times

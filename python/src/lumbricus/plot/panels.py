@@ -1,12 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Bodies at several times in one figure, with title and colour bars."""
 
+import argparse
+import pathlib
+from collections.abc import Sequence
+from typing import Any
+
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from PIL import Image
 
+from .arrays import Array, Series
 from .figures import DOTS_PER_INCH, INCHES, choose_times, save
+from .run_folder import RunFolder
 from .scene import LIQUID_COLOURS, MUSCLE_COLOURS, Scales, Scene
 from .surface import Drawing
 
@@ -19,7 +27,8 @@ THUMBNAIL = np.array([240, 150])
 class Panels:
     """Columns of bodies, all in the same window and with the same colours."""
 
-    def __init__(self, drawings, columns, title, dots_per_inch):
+    def __init__(self, drawings: Sequence[Drawing], columns: int, title: str,
+                 dots_per_inch: int) -> None:
         self.scales = Scales(drawings)
         self.title = title
         self.dots_per_inch = dots_per_inch
@@ -35,7 +44,8 @@ class Panels:
         self.scene = Scene(self.scales, self.scales.low, self.scales.high,
                            round(self.body_inches[0] * dots_per_inch))
 
-    def figure(self, drawings, times):
+    def figure(self, drawings: Sequence[Drawing],
+               times: Sequence[float] | Array) -> Figure:
         n_rows = -(-len(drawings) // self.columns)
         total = n_rows * self.row_inches + self.bar_inches + TITLE_INCHES
         figure = plt.figure(figsize=(INCHES, total), dpi=self.dots_per_inch)
@@ -55,7 +65,7 @@ class Panels:
         add_colour_bars(figure, self.scales)
         return figure
 
-    def image(self, drawing, time):
+    def image(self, drawing: Drawing, time: Any) -> Image.Image:
         """A figure of one time as an image."""
         figure = self.figure([drawing], [time])
         figure.canvas.draw()
@@ -64,7 +74,7 @@ class Panels:
         return image.convert("RGB")
 
 
-def add_colour_bars(figure, scales):
+def add_colour_bars(figure: Figure, scales: Scales) -> None:
     """At the bottom of the figure, 0.75 inches high."""
     total = figure.get_figheight()
     maps = []
@@ -86,13 +96,15 @@ def add_colour_bars(figure, scales):
         colour_bar.outline.set_linewidth(0.5)
 
 
-def read_drawings(run, shown, with_mesh, with_fibres):
+def read_drawings(run: RunFolder, shown: Series, with_mesh: bool,
+                  with_fibres: bool) -> list[Drawing]:
     return [run.reading(name, Drawing, name, run.body, with_mesh, with_fibres,
                         run.obstacles.get(time))
             for time, name in shown]
 
 
-def draw_picture(run, options, file_name):
+def draw_picture(run: RunFolder, options: argparse.Namespace,
+                 file_name: pathlib.Path) -> list[float]:
     """Write the bodies at the times wanted; these times."""
     shown = choose_times(run.series, options.times, options.count)
     times = [time for time, _ in shown]
@@ -104,7 +116,8 @@ def draw_picture(run, options, file_name):
     return times
 
 
-def draw_thumbnail(run, options, file_name):
+def draw_thumbnail(run: RunFolder, options: argparse.Namespace,
+                   file_name: pathlib.Path) -> None:
     """Write the body at one time, without words; it fills the image."""
     shown = choose_times(run.series, [options.thumbnail], 1)
     drawing, = read_drawings(run, shown, options.mesh, options.fibres)

@@ -2,12 +2,15 @@
 """report.html: pictures, numbers and parameters of a run in one file."""
 
 import json
+import pathlib
+from collections.abc import Iterator, Sequence
+from typing import Any
 
+from .arrays import Drawn, Json
 from .defaults import that_differ
-from .html_page import (details, figure, heading, number, page, paragraph,
-                        table)
+from .html_page import details, figure, heading, number, page, paragraph, table
+from .run_folder import RunFolder
 from .summary import Summary, adaptations
-
 
 ENDS = {
     "running": "The run is going on. (It looks the same after one that was "
@@ -17,7 +20,7 @@ ENDS = {
     "failed": "The run could not go on."}
 
 
-def program(run):
+def program(run: RunFolder) -> str:
     """What computed the run."""
     made_by = run.description["program"]
     n_ranks = made_by["ranks"]
@@ -31,14 +34,14 @@ def program(run):
     return text
 
 
-def state_of_run(run, summary):
+def state_of_run(run: RunFolder, summary: Summary) -> str:
     return (f"{summary.n_steps} load steps to time {summary.time:g} of "
             f"{run.status['end_time']:g}, {summary.n_newton} Newton "
             f"iterations, {summary.n_cuts} cuts of a step, "
             f"{number(summary.seconds)} s. {ENDS[run.status['state']]}")
 
 
-def numbers_of_segments(run, summary):
+def numbers_of_segments(run: RunFolder, summary: Summary) -> str:
     columns = [
         ("liquid at rest [mm³]", summary.liquid_volume, 6),
         ("its largest relative change", summary.liquid_change, 3),
@@ -55,7 +58,7 @@ def numbers_of_segments(run, summary):
     return table(["segment", *(name for name, *_ in columns)], rows)
 
 
-def numbers(run, summary):
+def numbers(run: RunFolder, summary: Summary) -> list[str]:
     tolerance = run.number("Reset/Tolerance")
     about_eta = ("" if tolerance is None else
                  f" Reset/Tolerance is {tolerance:g}.")
@@ -73,7 +76,7 @@ def numbers(run, summary):
         numbers_of_segments(run, summary)]
 
 
-def mesh_adaptations(run):
+def mesh_adaptations(run: RunFolder) -> list[str]:
     rows = adaptations(run)
     content = [heading("Adaptations of the mesh")]
     if len(run.mesh["cells"]):
@@ -97,7 +100,7 @@ def mesh_adaptations(run):
     return content
 
 
-def times(run):
+def times(run: RunFolder) -> list[str]:
     content = [heading("Where the time went")]
     costs = run.description["where_the_time_went"]
     if costs is None:
@@ -106,7 +109,7 @@ def times(run):
     if run.description["restart"] is not None:
         content.append(paragraph("Since the last restart."))
 
-    def rows(parts, depth=0):
+    def rows(parts: list[Json], depth: int = 0) -> Iterator[tuple[Any, ...]]:
         for part in parts:
             yield ("\u2003" * depth + part["name"], f"{part['seconds']:.2f}",
                    f"{part['seconds'] / costs['seconds']:.0%}", part["calls"])
@@ -121,12 +124,12 @@ def times(run):
         f"{costs['most_linear_iterations']}.", "note")]
 
 
-def shown(value):
+def shown(value: Any) -> str:
     """A value of a parameter as it is written."""
     return value if isinstance(value, str) else json.dumps(value)
 
 
-def all_parameters(run):
+def all_parameters(run: RunFolder) -> list[str]:
     entries = run.description["parameters"]
     return [
         heading("Parameters"),
@@ -141,8 +144,10 @@ def all_parameters(run):
              for entry in entries], text_columns=3))]
 
 
-def write_report(run, pictures, notes, file_name):
-    """Pictures are (file, title, caption); notes say what is left out."""
+def write_report(run: RunFolder, pictures: Sequence[Drawn], notes: Sequence[str],
+                 file_name: pathlib.Path, reload_every: float | None = None) -> None:
+    """Pictures are (file, title, caption); notes say what is left out. A browser
+    loads the page anew every so many seconds, where they are given."""
     summary = Summary(run)
     message = run.status["message"]
     content = [
@@ -155,4 +160,4 @@ def write_report(run, pictures, notes, file_name):
         *mesh_adaptations(run),
         *times(run),
         *all_parameters(run)]
-    file_name.write_text(page(run.title, content), encoding="utf-8")
+    file_name.write_text(page(run.title, content, reload_every), encoding="utf-8")

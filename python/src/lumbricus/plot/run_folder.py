@@ -3,11 +3,16 @@
 last complete line, and a time counts when all segments have their row."""
 
 import io
+import os
 import pathlib
 import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
+import pyvista
 
+from .arrays import Array, Columns, Json, Series
 from .body import Body
 from .captions import no_formula
 from .fields import read_grid, read_series
@@ -18,7 +23,7 @@ class PlotError(Exception):
     """What is wrong with the folder, and what to do: one sentence."""
 
 
-def read_text(file_name):
+def read_text(file_name: pathlib.Path) -> str:
     try:
         return file_name.read_text(encoding="utf-8", errors="replace")
     except OSError as error:
@@ -27,7 +32,7 @@ def read_text(file_name):
                         "the case again.") from error
 
 
-def read_complete_table(file_name):
+def read_complete_table(file_name: pathlib.Path) -> Columns:
     """The columns by name, without a last line that has no end yet."""
     if not file_name.exists():
         raise PlotError(f"The table '{file_name}' is missing; give the whole "
@@ -50,7 +55,7 @@ def read_complete_table(file_name):
     return read_table(io.StringIO(text))
 
 
-def check_columns(table, file_name, names):
+def check_columns(table: Columns, file_name: pathlib.Path, names: Sequence[str]) -> None:
     for name in names:
         if name not in table:
             raise PlotError(f"The table '{file_name}' has no column '{name}'; "
@@ -60,7 +65,7 @@ def check_columns(table, file_name, names):
 class RunFolder:
     """What a run has left so far."""
 
-    def __init__(self, path):
+    def __init__(self, path: str | os.PathLike[str]) -> None:
         self.path = pathlib.Path(path)
         self.description = self.read_description()
         try:
@@ -105,7 +110,7 @@ class RunFolder:
         self.obstacles = dict(self.read_times("obstacles.pvd"))
         self.contact = self.read_contact()
 
-    def read_description(self):
+    def read_description(self) -> Json:
         file_name = self.path / DESCRIPTION
         if not file_name.exists():
             of_a_run = (self.path / "segments.csv").exists()
@@ -123,40 +128,40 @@ class RunFolder:
             raise PlotError(f"'{file_name}' is damaged ({error}); run the case "
                             "again.") from error
 
-    def table(self, name, columns):
+    def table(self, name: str, columns: Sequence[str]) -> Columns:
         file_name = self.path / name
         table = read_complete_table(file_name)
         check_columns(table, file_name, columns)
         return table
 
-    def whole_groups(self, table):
+    def whole_groups(self, table: Columns) -> Columns:
         """Without the rows of a last group that lacks some segments."""
         n = len(table["t"]) // self.n_segments * self.n_segments
         return {name: values[:n] for name, values in table.items()}
 
-    def field(self, name):
+    def field(self, name: str) -> Array:
         """A column of segments.csv as [time, segment]."""
         return self.segments[name].reshape(-1, self.n_segments)
 
     @property
-    def has_liquid(self):
+    def has_liquid(self) -> bool:
         return bool((self.field("fluid_volume") > 0).any())
 
     @property
-    def times(self):
+    def times(self) -> Array:
         return self.segments["t"][::self.n_segments]
 
     @property
-    def segment_numbers(self):
+    def segment_numbers(self) -> Array:
         return self.segments["segment"][:self.n_segments].astype(int)
 
     @property
-    def has_work(self):
+    def has_work(self) -> bool:
         """Whether there is an energy.csv, with any step."""
         file_name = self.path / "energy.csv"
         return file_name.exists() and file_name.read_text().count("\n") > 1
 
-    def read_contact(self):
+    def read_contact(self) -> tuple[Columns, Columns] | None:
         """contact.csv and body.csv; None where the run has no contact."""
         if not (self.path / "contact.csv").exists():
             return None
@@ -164,7 +169,7 @@ class RunFolder:
                                              "anchored"]),
                 self.table("body.csv", ["t", "stride"]))
 
-    def read_times(self, name):
+    def read_times(self, name: str) -> Series:
         """(time, file) of all times in a PVD file, which need not be there."""
         file_name = self.path / name
         if not file_name.exists():
@@ -175,11 +180,12 @@ class RunFolder:
             raise PlotError(f"'{file_name}' cannot be read ({error}); run the "
                             "case again.") from error
 
-    def grid(self, pvtu_file):
+    def grid(self, pvtu_file: pathlib.Path) -> pyvista.UnstructuredGrid:
         return self.reading(pvtu_file, read_grid, pvtu_file)
 
     @staticmethod
-    def reading(file_name, function, *arguments):
+    def reading(file_name: pathlib.Path, function: Callable[..., Any],
+                *arguments: Any) -> Any:
         """function(*arguments), which reads file_name and what that names."""
         try:
             return function(*arguments)
@@ -197,7 +203,7 @@ class RunFolder:
                             f"program writes it ({reason}); bring the files "
                             "back, or run the case again.") from error
 
-    def record(self, names):
+    def record(self, names: Sequence[str]) -> None:
         """Note in lumbricus.run what was drawn here, so that a fresh start of
         the run removes it with the rest."""
         file_name = self.path / "lumbricus.run"
@@ -209,13 +215,13 @@ class RunFolder:
         with open(file_name, "a", encoding="utf-8") as file:
             file.write("".join(lines))
 
-    def number(self, name):
+    def number(self, name: str) -> float | None:
         """A parameter as a number, None where there is none."""
         value = self.parameters.get(name)
         is_number = isinstance(value, (int, float)) and not isinstance(value,
                                                                        bool)
         return value if is_number else None
 
-    def figure_title(self):
+    def figure_title(self) -> str:
         """In which Matplotlib sees no formula."""
         return no_formula(self.title)

@@ -4,6 +4,8 @@
 import ctypes
 import os
 import sys
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import pyvista
@@ -11,7 +13,9 @@ from matplotlib import colormaps
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 from PIL import Image
 
+from .arrays import Array
 from .run_folder import PlotError
+from .surface import Drawing
 from .view import LIGHT, VIEW
 
 LIQUID_COLOURS = colormaps["YlGnBu"]
@@ -39,7 +43,7 @@ pyvista.global_theme.multi_samples = 1
 class Scales:
     """What several drawings have in common: colours and the window."""
 
-    def __init__(self, drawings):
+    def __init__(self, drawings: Sequence[Drawing]) -> None:
         surfaces = [s for drawing in drawings for s in drawing.surfaces]
         pressures = [s["pressure"][s["liquid"]].max()
                      for s in surfaces if s["liquid"].any()]
@@ -51,14 +55,14 @@ class Scales:
         self.contraction = Normalize(0, most if most > 0 else 1)
         self.low, self.high = VIEW.window([s.points for s in surfaces])
 
-    def colours(self, surface, brightness):
+    def colours(self, surface: pyvista.PolyData, brightness: float) -> Array:
         rgb = MUSCLE_COLOURS(self.contraction(surface["contraction"]))[:, :3]
         liquid = LIQUID_COLOURS(self.pressure(surface["pressure"]))[:, :3]
         rgb[surface["liquid"]] = liquid[surface["liquid"]]
-        return (255 * brightness * rgb).round().astype(np.uint8)
+        return np.asarray((255 * brightness * rgb).round().astype(np.uint8))
 
 
-def check_that_vtk_can_draw():
+def check_that_vtk_can_draw() -> None:
     """Without the library VTK says many things and crashes."""
     if os.environ.get("VTK_DEFAULT_OPENGL_WINDOW") == EGL:
         try:
@@ -72,7 +76,7 @@ def check_that_vtk_can_draw():
 class Scene:
     """Draws without a screen, one time after the other."""
 
-    def __init__(self, scales, low, high, width):
+    def __init__(self, scales: Scales, low: Array, high: Array, width: int) -> None:
         """The window from low to high, so many dots wide."""
         check_that_vtk_can_draw()
         self.scales = scales
@@ -90,7 +94,7 @@ class Scene:
                 light_type="scene light"))
         self.place_camera(low, high)
 
-    def place_camera(self, low, high):
+    def place_camera(self, low: Array, high: Array) -> None:
         middle = 0.5 * (low + high)
         focus = middle[0] * VIEW.right + middle[1] * VIEW.up
         camera = self.plotter.camera
@@ -100,7 +104,7 @@ class Scene:
         camera.parallel_projection = True
         camera.parallel_scale = 0.5 * (high - low)[1]
 
-    def image(self, drawing):
+    def image(self, drawing: Drawing) -> Image.Image:
         plotter = self.plotter
         plotter.clear_actors()
         self.add_surface(drawing.outside, 1.0, ambient=0.62, diffuse=0.42,
@@ -117,20 +121,21 @@ class Scene:
         image = Image.fromarray(plotter.screenshot(return_img=True))
         return image.convert("RGB").reduce(SUPERSAMPLING)
 
-    def add(self, mesh, **options):
+    def add(self, mesh: pyvista.DataSet, **options: Any) -> None:
         self.plotter.add_mesh(mesh, reset_camera=False, render=False, **options)
 
-    def add_surface(self, surface, brightness, **options):
+    def add_surface(self, surface: pyvista.PolyData, brightness: float,
+                    **options: Any) -> None:
         self.add(surface, scalars=self.scales.colours(surface, brightness),
                  rgb=True, **options)
 
-    def add_lines(self, lines):
+    def add_lines(self, lines: pyvista.PolyData) -> None:
         """A dot before the surface, so that this does not hide half of it."""
         if lines.n_lines:
             self.add(lines.translate(self.dot * VIEW.normal), lighting=False,
                      color=LINE_COLOUR, line_width=0.65 * SUPERSAMPLING)
 
-    def add_fibres(self, lines, dots):
+    def add_fibres(self, lines: pyvista.PolyData, dots: pyvista.PolyData) -> None:
         look = {"color": FIBRE_COLOUR, "ambient": 0.6, "diffuse": 0.5}
         if lines.n_lines:
             self.add(lines.tube(radius=1.1 * self.dot, n_sides=8), **look)
@@ -139,7 +144,7 @@ class Scene:
                                   phi_resolution=8)
             self.add(dots.glyph(geom=ball, orient=False, scale=False), **look)
 
-    def add_obstacles(self, surface):
+    def add_obstacles(self, surface: pyvista.PolyData) -> None:
         """Translucent, with lines that stay where they are in the obstacle. What
         is seen from within it would be in front of the body, and is left out."""
         towards = surface.compute_normals(
@@ -154,5 +159,5 @@ class Scene:
         self.add(surface.extract_all_edges(), **look,
                  line_width=0.5 * SUPERSAMPLING)
 
-    def close(self):
+    def close(self) -> None:
         self.plotter.close()

@@ -1,15 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Length, radius, pressure and volume of the segments against time."""
 
+import pathlib
+
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.axes import Axes
 
+from .arrays import Array
 from .figures import INCHES, cell_borders, save
+from .run_folder import RunFolder
 
 MOST_LINES = 2  # more segments are drawn as rows of colour
 
 
-def panels(run):
+def panels(run: RunFolder) -> list[tuple[str, Array, str, bool]]:
     """(title, values [time, segment], colours, zero in the middle or not)"""
     volume = run.field("fluid_volume" if run.has_liquid else "wall_volume")
     return [
@@ -22,12 +27,12 @@ def panels(run):
          volume / volume[0] - 1, "RdBu_r", True)]
 
 
-def largest(values):
+def largest(values: Array) -> float:
     """What is less than 1e-12 is round-off."""
-    return max(np.abs(values).max(), 1e-12)
+    return max(float(np.abs(values).max()), 1e-12)
 
 
-def draw_lines(axes, run, values, symmetric):
+def draw_lines(axes: Axes, run: RunFolder, values: Array, symmetric: bool) -> None:
     for segment, curve in zip(run.segment_numbers, values.T):
         axes.plot(run.times, curve, ".-", linewidth=1, markersize=4,
                   label=f"segment {segment}")
@@ -39,7 +44,8 @@ def draw_lines(axes, run, values, symmetric):
         axes.legend(fontsize=7)
 
 
-def draw_rows(axes, run, values, colours, symmetric):
+def draw_rows(axes: Axes, run: RunFolder, values: Array, colours: str,
+              symmetric: bool) -> None:
     numbers = run.segment_numbers
     limits = ({"vmin": -largest(values), "vmax": largest(values)}
               if symmetric else {})
@@ -55,7 +61,7 @@ def draw_rows(axes, run, values, colours, symmetric):
     bar.ax.yaxis.get_offset_text().set_fontsize(7)
 
 
-def draw_segments(run, file_name):
+def draw_segments(run: RunFolder, file_name: pathlib.Path) -> None:
     figure, grid = plt.subplots(2, 2, figsize=(INCHES, 4.6), sharex=True,
                                 layout="constrained")
     for axes, (title, values, colours, symmetric) in zip(grid.flat,

@@ -1,17 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The numbers of a report, from the tables of a run."""
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
+from .arrays import Array
+from .run_folder import RunFolder
 
-def largest_change(volumes):
+
+def largest_change(volumes: Array) -> Array:
     """Of every segment the largest relative change of a volume [time, segment]
     since the beginning; nan where there is no such volume."""
     first = np.where(volumes[0] > 0, volumes[0], np.nan)
-    return np.abs(volumes / first - 1).max(axis=0)
+    return np.asarray(np.abs(volumes / first - 1).max(axis=0))
 
 
-def extreme(function, values):
+def extreme(function: Callable[..., Any], values: Array) -> float:
     """The least or largest value that is a number, nan where there is none."""
     values = np.asarray(values)[np.isfinite(values)]
     return function(values) if values.size else np.nan
@@ -20,7 +26,7 @@ def extreme(function, values):
 class Summary:
     """Numbers of all segments, as arrays, and of the whole run."""
 
-    def __init__(self, run):
+    def __init__(self, run: RunFolder) -> None:
         length = run.field("length")
         self.liquid_volume = run.field("fluid_volume")[0]
         self.liquid_change = largest_change(run.field("fluid_volume"))
@@ -40,7 +46,7 @@ class Summary:
         elapsed = run.steps["elapsed_seconds"]
         self.seconds = elapsed[-1] if len(elapsed) else 0.0
 
-    def worst(self):
+    def worst(self) -> list[tuple[str, float]]:
         """(what, value, how to write it) over all segments."""
         return [
             ("largest relative change of a liquid's volume",
@@ -57,7 +63,7 @@ class Summary:
              extreme(np.min, self.wall_quality))]
 
 
-def adaptations(run):
+def adaptations(run: RunFolder) -> list[dict[str, Any]]:
     """The rows of mesh.csv without that of the first mesh, as dictionaries."""
     n = len(run.mesh["step"])
     return [{name: values[i] for name, values in run.mesh.items()}

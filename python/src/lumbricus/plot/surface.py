@@ -2,13 +2,27 @@
 """What is seen of a body that is cut open: its deformed surface with colours,
 the lines on the cut, and its fibres."""
 
+import pathlib
+from collections.abc import Mapping, Sequence
+from typing import Any
+
 import numpy as np
 import pyvista
 
 from .activation import activation_of
-from .body import ON_PLANE
-from .fields import (EDGES_OF_FACE, FACES, MIDDLE, grid_of, have_no_partner,
-                     nodes_of_cells, place_keys, read_grid, read_obstacles)
+from .arrays import Array
+from .body import ON_PLANE, Body
+from .fields import (
+    EDGES_OF_FACE,
+    FACES,
+    MIDDLE,
+    grid_of,
+    have_no_partner,
+    nodes_of_cells,
+    place_keys,
+    read_grid,
+    read_obstacles,
+)
 
 # A curved face is drawn as 2^n x 2^n pairs of triangles, fewer of many faces.
 SUBDIVISIONS, SUBDIVISIONS_OF_MANY, MANY = 3, 2, 1500
@@ -18,7 +32,7 @@ LONGEST = 0.6        # of a drawn fibre, in lengths of a face
 ACROSS = 0.25        # fibres with less than this in a face are dots
 
 
-def on_edge(s):
+def on_edge(s: Any) -> Array:
     """The quadratic functions of begin, middle and end of an edge at s."""
     return np.stack([(1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1)],
                     axis=-1)
@@ -34,17 +48,17 @@ QUARTERS[:, ROWS.ravel()] = np.einsum(
     "ai,bj->abij", HALVES, HALVES).reshape(4, 9)
 
 
-def contraction(fields):
+def contraction(fields: Mapping[str, Array]) -> Array:
     """How much shorter [%] than at rest the most active fibres want to be, or which
     part [%] of its tension a muscle has that pulls."""
-    active = [activation_of(name)[1](values) for name, values in fields.items()
-              if activation_of(name)]
+    active = [found[1](values) for name, values in fields.items()
+              if (found := activation_of(name))]
     if not active:
         return np.zeros(len(fields["tissue"]))
-    return 100 * np.max(active, axis=0)
+    return np.asarray(100 * np.max(active, axis=0))
 
 
-def materials(fields, middles):
+def materials(fields: Mapping[str, Array], middles: Array) -> Array:
     """Of every cell a number for its tissue, segment and muscles: where it
     differs, colours do not pass into each other."""
     columns = [np.round(fields["tissue"]), np.round(fields["segment"])]
@@ -57,7 +71,8 @@ def materials(fields, middles):
 class Faces:
     """The faces that belong to one cell only."""
 
-    def __init__(self, grid, planes):
+    def __init__(self, grid: pyvista.UnstructuredGrid,
+                 planes: Sequence[tuple[int, float]]) -> None:
         """Of a body that is cut open along these planes, see Body.cut()."""
         self.rest = grid.points
         self.fields = grid.point_data
@@ -79,7 +94,7 @@ class Faces:
             distance = np.abs(self.rest[self.nodes][..., d] - position)
             self.plane[distance.max(axis=1) < ON_PLANE * self.size] = number
 
-    def surface(self, chosen):
+    def surface(self, chosen: Array) -> pyvista.PolyData:
         """The chosen ones as smooth triangles with fields."""
         fields = {name: self.fields[name]
                   for name in ("displacement", "pressure", "tissue")}
@@ -97,7 +112,7 @@ class Faces:
             cell_normals=False, feature_angle=SHARP, split_vertices=True,
             consistent_normals=False)
 
-    def lines(self, with_mesh):
+    def lines(self, with_mesh: bool) -> pyvista.PolyData:
         """Lines on the cut, around all cells or around the tissues: edges that
         only one cell of a tissue has in that plane."""
         found = [np.zeros((0, 3), dtype=int)]
@@ -116,7 +131,7 @@ class Faces:
                       self.moved[np.concatenate(found)])
         return polylines(x)
 
-    def fibres(self):
+    def fibres(self) -> tuple[pyvista.PolyData, pyvista.PolyData]:
         """A short line along the fibre of every muscle in the middle of every
         face, and a point where it crosses the face."""
         x = self.moved[self.nodes]
@@ -136,12 +151,12 @@ class Faces:
             half = 0.5 * LONGEST * np.sqrt(area)[:, None] * f
             lines.append(np.stack([place - half, place + half], axis=1)[flat])
             dots.append(place[there & ~flat])
-        dots = np.concatenate(dots)
+        points = np.concatenate(dots)
         return (polylines(np.concatenate(lines)),
-                pyvista.PolyData(dots) if len(dots) else pyvista.PolyData())
+                pyvista.PolyData(points) if len(points) else pyvista.PolyData())
 
 
-def polylines(points):
+def polylines(points: Array) -> pyvista.PolyData:
     """Lines through points [line, point, 3]."""
     n_lines, n = points.shape[:2]
     numbers = np.arange(n_lines * n).reshape(n_lines, n)
@@ -153,8 +168,8 @@ def polylines(points):
 class Drawing:
     """All that is drawn of one time."""
 
-    def __init__(self, pvtu_file, body, with_mesh, with_fibres,
-                 obstacles_file=None):
+    def __init__(self, pvtu_file: pathlib.Path, body: Body, with_mesh: bool,
+                 with_fibres: bool, obstacles_file: pathlib.Path | None = None) -> None:
         faces = Faces(*body.opened(read_grid(pvtu_file)))
         # What is cut is drawn flat, so that its colour can be read.
         self.outside = faces.surface(faces.plane == 0)
@@ -169,5 +184,5 @@ class Drawing:
                                         body.liquid_tissues)
 
     @property
-    def surfaces(self):
+    def surfaces(self) -> list[pyvista.PolyData]:
         return [self.outside, *self.cuts]
