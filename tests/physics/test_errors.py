@@ -91,7 +91,7 @@ SEGMENT = "Geometry/segment chain/"
 
 
 @pytest.mark.parametrize("along, across, refined", [
-    (1, 2, 0), (2, 4, 0), (3, 6, 0), (2, 2, "if(x < 0.5 or x > 2.5, 1, 0)")])
+    (1, 2, 0), (2, 4, 0), (3, 6, 0), (2, 2, "(x < 0.5) + (x > 2.5)")])
 def test_closed_segment(tmp_path, along, across, refined):
     """Also with hanging nodes, where cells are smaller towards the caps."""
     result = run_well(HERE / "segment.prm", tmp_path, [
@@ -168,9 +168,9 @@ def test_refused(tmp_path, settings, word):
 def test_no_estimate_where_the_smaller_cells_have_none(tmp_path):
     """A formula without a value at their points: the run goes on and says so."""
     result = run_well(HERE / "segment.prm", tmp_path, [
-        f"{SEGMENT}Liquid=cavity", "Time/End=0.4", "Output/Errors=1",
-        "Muscles/circular/expression/Formula="
-        "if(x > 0.02, 1 - 0.2*t, sqrt(x - 0.02) + 1)"])
+        f"{SEGMENT}Liquid=cavity", f"{SEGMENT}Cells along a segment=2",
+        "Time/End=0.4", "Output/Errors=1", "Muscles/circular/expression/Formula="
+        "if(x > 0.12, 1 - 0.2*t, sqrt(x - 0.12) + 1)"])
     assert "no estimate of errors" in result.log
     assert all(math.isnan(error) for row in errors(result).values()
                for _, error in row.values())
