@@ -191,6 +191,19 @@ def test_a_load_that_jumps(tmp_path):
     assert at_last - at_once > 0.15
 
 
+def test_a_blow_that_is_applied_in_parts(tmp_path):
+    """One that no step could take: all parts are at one time, in which nothing
+    relaxes."""
+    load, mu = -20, 0.4
+    result = run_well(HERE / "bar.prm", tmp_path, [
+        *bar(traction=f"if(t > 0.45, {load}, 0)"), *branches((mu, 0.5)),
+        *time(0.5, 0.05), "Newton/Most iterations=6"])
+    assert "jumps between the times 0.45 and 0.45" in result.log
+    lengths_then = [l for t, l in lengths(result) if 0.45 <= t < 0.451]
+    expected = brentq(lambda l: (A + mu) * uniaxial(l) - load, 0.05, 1)
+    assert lengths_then[-1] == pytest.approx(expected, rel=1e-6)
+
+
 def test_muscles_and_growth_do_not_strain_a_branch(tmp_path):
     """Only motion does: a muscle that is held pulls as it does without, and what grows
     freely is free of stress."""
