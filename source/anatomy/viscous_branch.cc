@@ -156,11 +156,11 @@ namespace lumbricus
                             const bool            with_tangent,
                             MaterialResponse     &response) const
   {
-    const double            c  = mu * std::pow(determinant(F), -2. / dim);
-    const SymmetricTensor<2, dim> &h = point.kept;
-    const Tensor<2, dim>    Fh = F * h;
-    const Tensor<2, dim>    G  = transpose(invert(F));
-    const double            t  = scalar_product(F, Fh) / dim; // tr(C h)/3
+    const double c = mu * std::pow(determinant(F), -2. / dim);
+    const SymmetricTensor<2, dim> &h  = point.kept;
+    const Tensor<2, dim>           Fh = F * h;
+    const Tensor<2, dim>           G  = transpose(invert(F));
+    const double                   t  = scalar_product(F, Fh) / dim; // tr(C h)/3
     response.P += c * (Fh - t * G);
     if (!with_tangent)
       return;

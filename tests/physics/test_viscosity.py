@@ -176,6 +176,26 @@ def test_small_oscillation_has_the_loss_modulus(tmp_path):
         math.pi * loss * e**2, rel=5e-3)
 
 
+def test_sphere_at_a_held_volume(tmp_path):
+    """Blown up to twice the volume of its cavity in one step: the pressure that an
+    integral through its wall gives, as much more as the branch has still."""
+    elastic, mu, tau, ramp = 0.5645064496, 0.7, 0.4, 0.2
+    branch = "Tissues/wall/Viscous branches"
+    result = run_well(HERE / "sphere.prm", tmp_path, [
+        f"{branch}/Names=b", f"{branch}/b/Shear modulus={mu}",
+        f"{branch}/b/Relaxation time={tau}", "Cavities/Content=volume",
+        f"Cavities/volume/Relative volume=1 + min(1, t/{ramp})",
+        *time(0.8, 0.3, ramp)], 2)
+    rows = [row for row in result.segments() if row["t"] > 0]
+    assert len(rows) == 3
+    parts = [1 + mu * part_after_ramp(ramp, tau) * math.exp((ramp - row["t"]) / tau)
+             for row in rows]
+    for row, part in zip(rows, parts):
+        assert row["fluid_pressure"] == pytest.approx(elastic * part, rel=1e-4)
+        assert row["fluid_pressure"] / rows[0]["fluid_pressure"] == pytest.approx(
+            part / parts[0], rel=1e-7)
+
+
 def test_a_load_that_jumps(tmp_path):
     """It is one that grows in the step in which it jumps; in the end nothing is left of
     the branch."""
