@@ -54,7 +54,7 @@ namespace lumbricus
                 sigma[n][i][j] = value(stress[dim * i + j], n);
           }
         const Anatomy &anatomy = fields.body.anatomy;
-        mu = anatomy.tissue(tissue(cell)).law().shear_modulus();
+        mu = anatomy.tissue(tissue(cell)).shear_modulus();
       }
 
       // At a quadrature point of scalar shape functions of the fields.

@@ -104,7 +104,7 @@ namespace lumbricus
     std::string wall_name;
     for (const TissueName &tissue : geometry_choice->tissues())
       {
-        const double mu = tissues.find(tissue.name)->law().shear_modulus();
+        const double mu = tissues.find(tissue.name)->shear_modulus();
         if (!tissue.liquid && mu > wall)
           {
             wall      = mu;
@@ -128,7 +128,13 @@ namespace lumbricus
                                  "'Elastic fibres', which a liquid has not. "
                                  "Put them into a tissue of the wall."));
 
-        const double mu = liquid.law().shear_modulus();
+        AssertThrow(liquid.viscous_branches().size() == 0,
+                    ExcParameter("Tissues/" + name.name,
+                                 "has viscous branches, which a liquid has not: "
+                                 "its pressure is all that counts. Put them "
+                                 "into a tissue of the wall."));
+
+        const double mu = liquid.shear_modulus();
         if (wall > 0. && mu > wall / 10)
           {
             std::ostringstream message;
@@ -298,6 +304,17 @@ namespace lumbricus
 
 
   unsigned int
+  Anatomy::n_viscous_branches() const
+  {
+    std::size_t most = 0;
+    for (unsigned int i = 0; i < tissue_names.size(); ++i)
+      most = std::max(most, tissue(i).viscous_branches().size());
+    return most;
+  }
+
+
+
+  unsigned int
   Anatomy::n_muscles() const
   {
     return muscles.size();
@@ -319,7 +336,7 @@ namespace lumbricus
     double wall = 0., any = 0.;
     for (unsigned int i = 0; i < tissue_names.size(); ++i)
       {
-        const double mu = tissue(i).law().shear_modulus();
+        const double mu = tissue(i).shear_modulus();
         any             = std::max(any, mu);
         if (!is_liquid(i))
           wall = std::max(wall, mu);

@@ -23,7 +23,7 @@ namespace lumbricus
     for (const TissueName &name : anatomy.geometry().tissues())
       {
         const Tissue &tissue = anatomy.tissue(name.name);
-        const double  mu     = tissue.law().shear_modulus();
+        const double  mu     = tissue.shear_modulus();
         if (softest.name.empty() || mu < softest.mu)
           softest = {tissue.law_section(), name.name, mu};
         if (stiffest.name.empty() || mu > stiffest.mu)

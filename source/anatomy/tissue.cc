@@ -24,6 +24,11 @@ namespace lumbricus
                 "<coupling>",
                 "What holds two families of elastic fibres at their angle, each a "
                 "section with the names of the two.")
+    , branches("Viscous branches",
+               "Names",
+               "<branch>",
+               "Maxwell elements beside the law, springs whose stress relaxes, "
+               "each a section with stiffness and time: a Prony series.")
   {}
 
 
@@ -53,6 +58,7 @@ namespace lumbricus
                       NameList());
     families.declare_parameters(prm);
     couplings.declare_parameters(prm);
+    branches.declare_parameters(prm);
   }
 
 
@@ -62,7 +68,8 @@ namespace lumbricus
   {
     const bool law      = law_choice.extend_parameters(prm, extent);
     const bool coupling = couplings.extend_parameters(prm, extent);
-    return families.extend_parameters(prm, extent) || law || coupling;
+    const bool branch   = branches.extend_parameters(prm, extent);
+    return families.extend_parameters(prm, extent) || law || coupling || branch;
   }
 
 
@@ -74,6 +81,7 @@ namespace lumbricus
     check_no_name_twice("Muscles", names_of_muscles);
     families.check_parameters();
     couplings.check_parameters();
+    branches.check_parameters();
   }
 
 
@@ -133,6 +141,17 @@ namespace lumbricus
 
 
 
+  double
+  Tissue::shear_modulus() const
+  {
+    double mu = law().shear_modulus();
+    for (std::size_t k = 0; k < branches.size(); ++k)
+      mu += branches[k].shear_modulus();
+    return mu;
+  }
+
+
+
   std::string
   Tissue::law_section() const
   {
@@ -177,6 +196,14 @@ namespace lumbricus
   Tissue::fibre_couplings() const
   {
     return couplings;
+  }
+
+
+
+  const NamedList<ViscousBranch> &
+  Tissue::viscous_branches() const
+  {
+    return branches;
   }
 
 
@@ -245,6 +272,31 @@ namespace lumbricus
 
 
 
+  double
+  Tissue::viscous_energy(const dealii::Tensor<2, dim> &F,
+                         const MaterialPoint          &point) const
+  {
+    double psi = 0.;
+    for (std::size_t k = 0; k < point.viscous.size(); ++k)
+      psi += branches[k].energy(F, point.viscous[k].at_end(F));
+    return psi;
+  }
+
+
+
+  double
+  Tissue::dissipated(const dealii::Tensor<2, dim> &F_n,
+                     const dealii::Tensor<2, dim> &F,
+                     const MaterialPoint          &point) const
+  {
+    double sum = 0.;
+    for (std::size_t k = 0; k < point.viscous.size(); ++k)
+      sum += branches[k].dissipated(F_n, F, point.viscous[k]);
+    return sum;
+  }
+
+
+
   void
   Tissue::evaluate(const dealii::Tensor<2, dim> &F,
                    const double                  p,
@@ -271,6 +323,8 @@ namespace lumbricus
                               reference.fibres[first + couplings[k].family(1)],
                               with_tangent,
                               response);
+    for (std::size_t k = 0; k < point.viscous.size(); ++k)
+      branches[k].add_stress(F, point.viscous[k], with_tangent, response);
     for (std::size_t k = 0; k < actions.size(); ++k)
       actions[k]->add_stress(F, point.fibres[k], with_tangent, response);
   }

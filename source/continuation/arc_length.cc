@@ -176,6 +176,9 @@ namespace lumbricus
     if (muscles_feel_speed(model.parameters.anatomy))
       refuse("a muscle feels how fast it shortens",
              "Set its 'Force-velocity' to 'none', or set 'time'");
+    if (model.parameters.anatomy.n_viscous_branches() > 0)
+      refuse("a tissue has viscous branches, whose stress relaxes in time",
+             "Leave them out, or set 'time'");
     if (model.parameters.cavity_contents.exchange().any())
       refuse("liquid flows through pores, leaks or in from outside",
              "Close them, or set 'time'");

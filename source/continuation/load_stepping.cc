@@ -26,7 +26,8 @@ namespace lumbricus
     prm.add_parameter("End",
                       end,
                       "[time] Where the run ends; it starts at 0. Time only "
-                      "orders the loads: the problem is quasi-static.",
+                      "orders the loads, but for what hangs on rates (viscous "
+                      "branches, drag, ...): the problem is quasi-static.",
                       PositiveNumber());
     prm.add_parameter("First step",
                       first,

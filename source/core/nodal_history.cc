@@ -27,7 +27,16 @@ namespace lumbricus
 
 
 
-    const std::string boundary = "boundary:";
+    const std::string boundary = "boundary:", branch = "branch:";
+
+
+
+    bool
+    begins_with(const std::string &name, const std::string &prefix)
+    {
+      return name.size() > prefix.size() &&
+             name.compare(0, prefix.size(), prefix) == 0;
+    }
   } // namespace
 
 
@@ -92,11 +101,18 @@ namespace lumbricus
 
 
 
+  std::string
+  NodalHistory::of_branch(const unsigned int k, const unsigned int part)
+  {
+    return branch + std::to_string(k) + ":" + std::to_string(part);
+  }
+
+
+
   bool
   NodalHistory::is_known(const std::string &name)
   {
-    return is_name(name) ||
-           (name.size() > boundary.size() &&
-            name.compare(0, boundary.size(), boundary) == 0);
+    return is_name(name) || begins_with(name, boundary) ||
+           begins_with(name, branch);
   }
 } // namespace lumbricus

@@ -179,7 +179,7 @@ namespace lumbricus
     for (const OwnedCell cell : body.owned_cells())
       {
         const unsigned int i  = cell.index;
-        const double       mu = cell.tissue.law().shear_modulus();
+        const double       mu = cell.tissue.shear_modulus();
 
         unknowns.read(i, u, values);
         kernel->set(values);

@@ -23,13 +23,10 @@ namespace lumbricus
 
 
 
-  std::set<std::string>
-  histories_of_muscles(const Anatomy &anatomy)
+  bool
+  way_counts(const Anatomy &anatomy)
   {
-    std::set<std::string> names;
-    if (muscles_feel_speed(anatomy))
-      names.insert(displacement_before.name());
-    return names;
+    return muscles_feel_speed(anatomy) || anatomy.n_viscous_branches() > 0;
   }
 
 
@@ -37,7 +34,7 @@ namespace lumbricus
   void
   remember_displacement(const Body &body, State &state)
   {
-    if (!muscles_feel_speed(body.anatomy))
+    if (!way_counts(body.anatomy))
       return;
     const MixedSpace &space    = body.space;
     const Vector      relevant = space.with_ghosts(state.solution);

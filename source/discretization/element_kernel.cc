@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/element_kernel.h>
+#include <lumbricus/discretization/same_cell.h>
 
 #include <algorithm>
 #include <cstring>
@@ -21,6 +22,21 @@ namespace lumbricus
         u[c][n] = relevant_solution(indices[space.displacement_dof[c][n]]);
     for (unsigned int m = 0; m < n_modes; ++m)
       p[m] = relevant_solution(indices[space.pressure_dof[m]]);
+  }
+
+
+
+  void
+  ElementKernel::read_history(
+    const MixedSpace                                    &space,
+    const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+    const Vector                                        &history,
+    std::vector<dealii::types::global_dof_index>        &indices)
+  {
+    same_cell(cell, space.rest_dof_handler)->get_dof_indices(indices);
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        u[c][n] = history[indices[space.rest_dof[c][n]]];
   }
 
 

@@ -3,7 +3,7 @@
 #include <lumbricus/discretization/displacement_before.h>
 #include <lumbricus/discretization/element_kernel.h>
 #include <lumbricus/discretization/reference_field.h>
-#include <lumbricus/discretization/same_cell.h>
+#include <lumbricus/discretization/viscous_memory.h>
 
 #include <algorithm>
 #include <vector>
@@ -32,22 +32,6 @@ namespace lumbricus
         }
       throw_on_all_ranks<ExcInput>(message, body.space.communicator());
     }
-
-
-
-    // Read a history at the nodes of a cell, with its indices.
-    void
-    read_history(const Vector     &history,
-                 const OwnedCell  &cell,
-                 const MixedSpace &space,
-                 std::vector<dealii::types::global_dof_index> &indices,
-                 ElementKernel                                &kernel)
-    {
-      same_cell(cell.iterator, space.rest_dof_handler)->get_dof_indices(indices);
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-          kernel.u[c][n] = history[indices[space.rest_dof[c][n]]];
-    }
   } // namespace
 
 
@@ -72,6 +56,7 @@ namespace lumbricus
             point.fibres.push_back(
               muscle->fibre_at_rest(cell.region.segment + 1, X));
           point.elastic_fibres = cell.tissue.elastic_fibres(X);
+          point.viscous.resize(cell.tissue.viscous_branches().size());
           point.reference =
             cell.tissue.reference_map(point.fibres, point.elastic_fibres);
         }
@@ -122,7 +107,7 @@ namespace lumbricus
         const auto &muscles = cell.tissue.muscles();
         if (muscles.empty())
           continue;
-        read_history(u, cell, body.space, indices, before);
+        before.read_history(body.space, cell.iterator, u, indices);
         before.compute_deformation(body.shapes.cell(cell.index));
         for (unsigned int q = 0; q < n_q; ++q)
           for (unsigned int k = 0; k < muscles.size(); ++k)
@@ -133,6 +118,19 @@ namespace lumbricus
                 fibre.since          = since;
               }
       }
+  }
+
+
+
+  void
+  ReferenceField::update_branches(const State &state, const LoadTime &t)
+  {
+    if (body.anatomy.n_viscous_branches() == 0)
+      return;
+    ViscousMemory memory(body, state, t.to());
+    for (const OwnedCell cell : body.owned_cells())
+      if (cell.tissue.viscous_branches().size() > 0)
+        memory.read(cell, points.data() + cell.index * n_q);
   }
 
 
@@ -150,8 +148,8 @@ namespace lumbricus
       {
         if (!cell.is_liquid)
           continue;
-        read_history(u_ref, cell, space, indices, rest);
-        read_history(u_vol, cell, space, indices, volume);
+        rest.read_history(space, cell.iterator, u_ref, indices);
+        volume.read_history(space, cell.iterator, u_vol, indices);
         const ShapeCache::Cell shape = body.shapes.cell(cell.index);
         rest.compute_deformation(shape);
         volume.compute_deformation(shape);
@@ -179,6 +177,7 @@ namespace lumbricus
   {
     update_muscles(t);
     update_speed(state, t);
+    update_branches(state, t);
     update_liquid(state);
   }
 

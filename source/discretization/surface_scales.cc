@@ -18,7 +18,6 @@ namespace lumbricus
           const SurfaceScale here{
             cell->measure() / face->measure(),
             body.anatomy.tissue(Region::of(cell->material_id()).tissue)
-              .law()
               .shear_modulus()};
           SurfaceScale &scale =
             scales.insert({face->boundary_id(), here}).first->second;

@@ -201,10 +201,18 @@ namespace lumbricus
         // Prescribed displacements are taken whole; what follows the loads
         // makes up for it in the next iterations.
         const bool   whole = problem.increments_prescribed();
+        // Where tissues grow and nothing pulls at them, there are no forces but
+        // those that the increment makes; how far they are out of balance, a part
+        // of themselves, tells nothing.
+        const bool only_grows =
+          residual.force <= least_force(residual) &&
+          residual.border <= least_border(residual) &&
+          residual.volume > least_volume(residual);
         const double largest_merit =
           whole ? std::numeric_limits<double>::max() :
-                  growth_allowed *
-                    std::max(residual.merit(), least_force(residual));
+                  growth_allowed * std::max({residual.merit(),
+                                             least_force(residual),
+                                             only_grows ? 1. : 0.});
         double step_length = whole ? 1. : problem.largest_step(current, dx);
         NonlinearProblem::Residual trial_residual;
         for (unsigned int halvings = 0;; ++halvings)

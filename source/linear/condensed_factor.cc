@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-
 #include "condensed_factor.h"
+
+#include <lumbricus/linear/scaled_inverse.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/full_matrix.h>
@@ -116,7 +117,7 @@ namespace lumbricus
           for (unsigned int s = 0; s < n_modes; ++s)
             K_zz(CellUnknowns::pressure(r), CellUnknowns::pressure(s)) -=
               compressibility * M[r * n_modes + s];
-        K_zz.gauss_jordan();
+        scaled_inverse(K_zz);
         std::copy(&K_zz(0, 0),
                   &K_zz(0, 0) + n_private * n_private,
                   inverses[i].begin());

@@ -71,6 +71,8 @@ namespace lumbricus
       sum += muscle.work;
     for (const ExternalForce &load : loads)
       sum += load.work;
+    for (const Entry &tissue : viscosity)
+      sum -= tissue.work;
     return sum;
   }
 
@@ -92,8 +94,10 @@ namespace lumbricus
         here.read(body, cell, relevant, references, indices);
         const auto JxW = body.shapes.cell(cell.index).JxW;
         for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
-          sum += JxW[q] *
-                 here.energy(body, cell.tissue, q, here.points[q].reference);
+          sum +=
+            JxW[q] *
+            (here.energy(body, cell.tissue, q, here.points[q].reference) +
+             cell.tissue.viscous_energy(here.kernel.F[q], here.points[q]));
       }
     return dealii::Utilities::MPI::sum(sum, space.communicator());
   }
@@ -166,6 +170,45 @@ namespace lumbricus
     std::vector<Entry> all;
     for (unsigned int i = 0; i < works.size(); ++i)
       all.push_back({anatomy.muscle(i).name(), works[i]});
+    return all;
+  }
+
+
+
+  std::vector<Entry>
+  work_of_viscosity(const Body &body, const State &a, const StateWithMaps &b)
+  {
+    std::map<std::string, double> works;
+    const MixedSpace             &space   = body.space;
+    const auto                    tissues = body.anatomy.geometry().tissues();
+    for (unsigned int i = 0; i < tissues.size(); ++i)
+      if (body.anatomy.tissue(i).viscous_branches().size() > 0)
+        works[tissues[i].name] = 0.;
+    if (works.empty())
+      return {};
+    const Vector relevant_a = space.with_ghosts(a.solution);
+    const Vector relevant_b = space.with_ghosts(b.state.solution);
+    Deformation  at_a, at_b;
+    std::vector<dealii::types::global_dof_index> indices(
+      space.fe.n_dofs_per_cell());
+    for (const OwnedCell cell : body.owned_cells())
+      {
+        const Tissue &tissue = cell.tissue;
+        if (tissue.viscous_branches().size() == 0)
+          continue;
+        at_a.read(body, cell, relevant_a, b.references, indices);
+        at_b.read(body, cell, relevant_b, b.references, indices);
+        const auto JxW = body.shapes.cell(cell.index).JxW;
+        double    &sum = works.at(tissue.name());
+        for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
+          sum += JxW[q] * tissue.dissipated(at_a.kernel.F[q],
+                                            at_b.kernel.F[q],
+                                            at_b.points[q]);
+      }
+    std::vector<Entry> all;
+    for (const auto &[name, work] : works)
+      all.push_back(
+        {name, dealii::Utilities::MPI::sum(work, space.communicator())});
     return all;
   }
 

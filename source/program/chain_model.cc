@@ -3,6 +3,7 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/discretization/displacement_before.h>
 #include <lumbricus/discretization/surface_scales.h>
+#include <lumbricus/discretization/viscous_memory.h>
 #include <lumbricus/program/chain_model.h>
 
 #include "contact_check.h"
@@ -151,7 +152,9 @@ namespace lumbricus
   {
     StateOutline outline = space.initial_state().outline();
     outline.histories.merge(surface_terms.histories());
-    outline.histories.merge(histories_of_muscles(parameters.anatomy));
+    if (way_counts(parameters.anatomy))
+      outline.histories.insert(displacement_before.name());
+    outline.histories.merge(histories_of_branches(parameters.anatomy));
     outline.globals = equilibrium.globals_at_rest();
     State state = space.zero_state(outline);
     surface_terms.end_step(state);
@@ -256,7 +259,7 @@ namespace lumbricus
     work.stored      = lumbricus::stored_energy(body, references, b);
     work.stored_more = work.stored - lumbricus::stored_energy(body, maps_of_a, a);
     work.muscles     = work_of_muscles(body, {a, maps_of_a}, {b, references});
-
+    work.viscosity   = work_of_viscosity(body, a, {b, references});
     work.friction    = work_of_friction(body, conditions, surface_terms, a, b);
     work.loads       = forces_on_body({a, maps_of_a}, &way);
     const auto at_b  = forces_on_body({b, references}, &way);
@@ -317,6 +320,7 @@ namespace lumbricus
   {
     surface_terms.end_step(state);
     cavities.end_step(state);
+    remember_branches(body, state); // from where the body was
     remember_displacement(body, state);
     state.last_time = state.time;
   }

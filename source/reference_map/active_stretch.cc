@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/isotropic_function.h>
 #include <lumbricus/reference_map/active_stretch.h>
 
 #include <cmath>
@@ -37,12 +38,9 @@ namespace lumbricus
         SymmetricTensor<2, dim> logarithm;
         for (const ActiveFibre &fibre : fibres)
           logarithm -= std::log(fibre.lambda) * (1.5 * dyad(fibre.f) - 0.5 * I);
-
-        SymmetricTensor<2, dim> exponential;
-        for (const auto &eigen : dealii::eigenvectors(
-               logarithm, dealii::SymmetricTensorEigenvectorMethod::jacobi))
-          exponential += std::exp(eigen.first) * dyad(eigen.second);
-        reference.G_inverse = exponential;
+        reference.G_inverse =
+          isotropic_function(logarithm,
+                             [](const double x) { return std::exp(x); });
       }
     return reference;
   }

@@ -170,6 +170,27 @@ def test_pores(tmp_path, monkeypatch):
     assert before / after == pytest.approx(1 - 0.025 * g * slope, rel=2e-3)
 
 
+def test_viscous_segment(tmp_path, monkeypatch):
+    """What the branch leaves of the stroke, and what it takes, as in a standard linear
+    solid."""
+    monkeypatch.syspath_prepend(SOURCE / "parameters" / "viscous_segment")
+    import standard_solid
+    found = {}
+    for tau in (0.01, 0.1):
+        result = case("viscous_segment", tmp_path / str(tau), [
+            CHAIN + "Cells along a segment=3", "Time/End=3",
+            *(f"Tissues/{tissue}/Viscous branches/slow/Relaxation time={tau}"
+              for tissue in ("wall", "cap"))], monkeypatch)
+        volumes_kept(result, 1e-12)
+        assert standard_solid.relaxation_time(result.folder) == tau
+        found[tau] = standard_solid.measured(result.folder)
+        _, lost, done = found[tau]
+        assert done == pytest.approx(lost, rel=0.01)
+    for i, theory in ((0, standard_solid.stroke), (1, standard_solid.loss)):
+        assert found[0.1][i] / found[0.01][i] == pytest.approx(
+            theory(0.1) / theory(0.01), rel=0.03)
+
+
 def test_adaptive_septum(tmp_path, monkeypatch):
     """The first rows of its table: refined where the estimate says, the same
     at every change of the program that does not say why."""

@@ -5,7 +5,7 @@ import csv
 import pathlib
 
 import pytest
-from lumbricus_run import go_on, run_well
+from lumbricus_run import SOURCE, go_on, run_well
 from test_energy import check_balance, energy, steps
 from test_invariance import TO_THE_END
 
@@ -179,3 +179,43 @@ def test_energy_of_growth_under_load(tmp_path):
     balance = "balance", "balance"
     assert found[8][balance] / found[16][balance] == pytest.approx(4, rel=0.05)
     assert found[16]["muscle", "g"] > 0
+
+
+def curl(folder, *settings):
+    """The bar of parameters/curling_bar at time 1: its curvature, from its middle and
+    its end, half of the gap between its ends, the largest stress at points, and the
+    steps that were cut."""
+    result = run_well(SOURCE / "parameters" / "curling_bar" / "case.prm", folder,
+                      ["Output/Every=0", *settings])
+    middle, half, end = result.table("points.csv")[-3:]
+    x, z = end["x"] + end["ux"], middle["uz"] - end["uz"]
+    stress = max(abs(point[s]) for point in (middle, half) for s in ("sxx", "syy", "szz"))
+    cuts = sum(row["cuts"] for row in result.steps())
+    return 2 * z / (x * x + z * z), abs(x), stress, cuts
+
+
+def test_bar_that_curls_up_to_a_ring(tmp_path):
+    """Growth along the bar that changes evenly across it leaves no stress."""
+    cells = "Geometry/block/Cells"
+    coarse, fine = (curl(tmp_path / str(n), f"{cells}={n}, 1, 1") for n in (12, 24))
+    assert coarse[1] / fine[1] == pytest.approx(16, rel=0.2)
+    assert fine[0] == pytest.approx(1, rel=5e-5)
+    assert fine[2] < 2e-3 * 0.05
+    assert coarse[3] == fine[3] == 0
+
+
+def test_bar_that_grows_in_all_directions_bends(tmp_path):
+    """At rest and where nothing pulls there are no forces that those of an increment
+    could be compared with; all steps converge nevertheless."""
+    curvature, *_, cuts = curl(tmp_path, "Muscles/growth/Action=growth")
+    assert curvature == pytest.approx(0.99615, rel=1e-4)
+    assert cuts == 0
+
+
+@pytest.mark.parametrize("g, rel", [(0.02, 1e-3), (0.1, 2e-3)])
+def test_bar_of_which_a_half_grows_is_a_bimetal_strip(tmp_path, g, rel):
+    """Timoshenko 1925: 3 e/(2 h), with the strain e between layers of the same
+    stiffness."""
+    curvature, *_ = curl(tmp_path, "Geometry/block/Cells=12, 1, 2",
+                         f"Muscles/growth/expression/Formula=1 + t*(z > 0.2 ? {g} : 0)")
+    assert curvature == pytest.approx(1.5 * g / (1 + g / 2) / 0.4, rel=rel)

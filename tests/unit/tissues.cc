@@ -218,6 +218,63 @@ TEST(Tissues, GrowthMakesTheStressFreeVolume)
 
 
 
+TEST(Tissues, ResponseOfGrownTissueIsTheDerivativeOfItsEnergy)
+{
+  // P, A, Q, c and dc/dp where growth in both ways and a contraction have made G and
+  // J_v, with nu = 0.5 and less.
+  const dealii::Tensor<1, dim> f({0.6, 0., 0.8}), g({0., 1., 0.});
+  std::vector<ActiveFibre>     stretches;
+  Registry<MuscleAction>::create("growth")->add_stretch({f, 1.2}, stretches);
+  Registry<MuscleAction>::create("growth along fibres")
+    ->add_stretch({f, 1.3}, stretches);
+  Registry<MuscleAction>::create("active stretch")->add_stretch({g, 0.9}, stretches);
+  MaterialPoint point;
+  point.reference = active_stretch_map(stretches);
+  EXPECT_NEAR(point.reference.J_v, std::pow(1.2, 3) * 1.3, 1e-14);
+  EXPECT_NEAR(determinant(point.reference.G_inverse), 1., 1e-14);
+  for (const std::string nu : {"0.5", "0.4"})
+    {
+      Tissue tissue("grown");
+      Flesh::read(tissue,
+                  "set Law = Mooney-Rivlin\nsubsection Mooney-Rivlin\n"
+                  " set a = 0.4\n set b = 0.2\n set nu = " +
+                    nu + "\nend\n");
+      tissue.set_muscles({});
+      MaterialResponse at, plus, minus;
+      tissue.evaluate(F_general, p, point, true, at);
+      const auto energy = [&](const Tensor<2, dim> &F, const double p) {
+        return tissue.energy(F, p, point.reference);
+      };
+      EXPECT_NEAR(at.c,
+                  (energy(F_general, p + h) - energy(F_general, p - h)) / (2 * h),
+                  1e-9);
+      tissue.evaluate(F_general, p + h, point, false, plus);
+      tissue.evaluate(F_general, p - h, point, false, minus);
+      EXPECT_NEAR(at.dc_dp, (plus.c - minus.c) / (2 * h), 1e-9);
+      EXPECT_LT((at.Q - (plus.P - minus.P) / (2 * h)).norm(), 1e-9);
+      for (unsigned int k = 0; k < dim; ++k)
+        for (unsigned int L = 0; L < dim; ++L)
+          {
+            Tensor<2, dim> F_plus = F_general, F_minus = F_general;
+            F_plus[k][L] += h;
+            F_minus[k][L] -= h;
+            EXPECT_NEAR(at.P[k][L],
+                        (energy(F_plus, p) - energy(F_minus, p)) / (2 * h),
+                        1e-8);
+            tissue.evaluate(F_plus, p, point, false, plus);
+            tissue.evaluate(F_minus, p, point, false, minus);
+            EXPECT_NEAR(at.Q[k][L], (plus.c - minus.c) / (2 * h), 1e-8);
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int J = 0; J < dim; ++J)
+                EXPECT_NEAR(at.A[dim * i + J][dim * k + L],
+                            (plus.P[i][J] - minus.P[i][J]) / (2 * h),
+                            1e-7);
+          }
+    }
+}
+
+
+
 TEST(Tissues, ResponseIsThatOfLawAndMuscles)
 {
   // Bit for bit the law's where muscles only shorten.

@@ -81,6 +81,10 @@ namespace lumbricus
     const std::vector<const Muscle *> &
     muscles_of(const unsigned int tissue) const;
 
+    /** How many viscous branches the tissue has that has most of them. */
+    unsigned int
+    n_viscous_branches() const;
+
     /** How many muscles the tissues name. */
     unsigned int
     n_muscles() const;

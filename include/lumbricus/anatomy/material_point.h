@@ -3,6 +3,7 @@
 #define lumbricus_anatomy_material_point_h
 
 #include <lumbricus/action/muscle_action.h>
+#include <lumbricus/anatomy/viscous_point.h>
 #include <lumbricus/reference_map/reference_point.h>
 
 #include <vector>
@@ -19,6 +20,8 @@ namespace lumbricus
     std::vector<MuscleFibre> fibres;
     /** Tissue::elastic_fibres(). */
     std::vector<dealii::Tensor<1, dim>> elastic_fibres;
+    /** What Tissue::viscous_branches() remember, in their order. */
+    std::vector<ViscousPoint> viscous;
   };
 } // namespace lumbricus
 

@@ -6,6 +6,7 @@
 #include <lumbricus/anatomy/fibre_family.h>
 #include <lumbricus/anatomy/material_point.h>
 #include <lumbricus/anatomy/muscle.h>
+#include <lumbricus/anatomy/viscous_branch.h>
 #include <lumbricus/materials/material_law.h>
 #include <lumbricus/parameters/named_list.h>
 #include <lumbricus/parameters/registry.h>
@@ -16,9 +17,9 @@
 
 namespace lumbricus
 {
-  /** A tissue of the body: its law, elastic fibres in it, and the muscles whose
-   * fibres run in it. What a point answers to its deformation is the answer of
-   * all. */
+  /** A tissue of the body: its law, elastic fibres in it, viscous branches beside
+   * it, and the muscles whose fibres run in it. What a point answers to its
+   * deformation is the answer of all. */
   class Tissue : public PartOfBody
   {
   public:
@@ -61,6 +62,11 @@ namespace lumbricus
     const std::string &
     law_name() const;
 
+    /** The shear modulus of the law and of all viscous branches: that against a
+     * quick motion at zero strain [N/mm^2]. */
+    double
+    shear_modulus() const;
+
     /** The path of the law's section, for messages. */
     std::string
     law_section() const;
@@ -92,6 +98,10 @@ namespace lumbricus
     const NamedList<FibreCoupling> &
     fibre_couplings() const;
 
+    /** Its viscous branches. */
+    const NamedList<ViscousBranch> &
+    viscous_branches() const;
+
     /** The unit vectors at @p X along its elastic fibres: those of its law, then
      * its families. Throws ExcInput, naming the tissue. */
     std::vector<dealii::Tensor<1, dim>>
@@ -110,8 +120,20 @@ namespace lumbricus
            const double                  p,
            const ReferencePoint         &reference) const;
 
+    /** psi of the viscous branches at the end of a step that ends at @p F
+     * [N/mm^2]. */
+    double
+    viscous_energy(const dealii::Tensor<2, dim> &F,
+                   const MaterialPoint          &point) const;
+
+    /** What they dissipate in the step from @p F_n to @p F [N/mm^2]. */
+    double
+    dissipated(const dealii::Tensor<2, dim> &F_n,
+               const dealii::Tensor<2, dim> &F,
+               const MaterialPoint          &point) const;
+
     /**
-     * The response of law, fibres and muscles at @p point: P, Q, c and dc_dp, and A where @p with_tangent, at the deformation gradient @p F with
+     * The response of law, fibres, branches and muscles at @p point: P, Q, c and dc_dp, and A where @p with_tangent, at the deformation gradient @p F with
      * det F > 0 and the pressure variable @p p (positive in tension).
      */
     void
@@ -128,6 +150,7 @@ namespace lumbricus
     std::vector<std::string> names_of_muscles;
     Section<NamedList<FibreFamily>>   families;
     Section<NamedList<FibreCoupling>> couplings;
+    Section<NamedList<ViscousBranch>> branches;
 
     // What was chosen, found once: evaluate() is called at every point.
     const MaterialLaw                *chosen_law = nullptr;

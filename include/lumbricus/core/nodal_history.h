@@ -56,6 +56,11 @@ namespace lumbricus
     static std::string
     of_boundary(const std::string &condition);
 
+    /** What a state calls the parts, @p part of them from zero, of what the viscous
+     * branches number @p k, from zero, of all tissues remember: 'branch:0:1'. */
+    static std::string
+    of_branch(const unsigned int k, const unsigned int part);
+
     /** Whether there can be a history @p name in this version. */
     static bool
     is_known(const std::string &name);

@@ -8,7 +8,7 @@
 namespace lumbricus
 {
   /** The displacement at the end of the last load step [mm], in runs where
-   * muscles_feel_speed() alone: State::solution changes within a step. */
+   * way_counts() alone: State::solution changes within a step. */
   extern const NodalHistory displacement_before;
 
   /** Whether what any muscle of the body does hangs on how fast its fibres
@@ -16,12 +16,11 @@ namespace lumbricus
   bool
   muscles_feel_speed(const Anatomy &anatomy);
 
-  /** The histories that a run has because of that. */
-  std::set<std::string>
-  histories_of_muscles(const Anatomy &anatomy);
+  /** Whether that or a viscous branch hangs on where the body was. */
+  bool
+  way_counts(const Anatomy &anatomy);
 
-  /** A load step is complete: remember where the body is, where muscles ask for
-   * it. */
+  /** A load step is complete: remember where the body is, where way_counts(). */
   void
   remember_displacement(const Body &body, State &state);
 } // namespace lumbricus

@@ -52,6 +52,14 @@ namespace lumbricus
          const Vector                                        &relevant_solution,
          std::vector<dealii::types::global_dof_index>        &indices);
 
+    /** Read u of @p cell from the vector of a NodalHistory, with @p indices, which
+     * are as many as MixedSpace::rest_fe has on a cell. */
+    void
+    read_history(const MixedSpace                                    &space,
+                 const dealii::DoFHandler<dim>::active_cell_iterator &cell,
+                 const Vector                                        &history,
+                 std::vector<dealii::types::global_dof_index>        &indices);
+
     /** Set u and p from values in the order of CellUnknowns. */
     void
     set(const double *values);

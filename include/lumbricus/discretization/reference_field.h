@@ -41,6 +41,11 @@ namespace lumbricus
     void
     update_speed(const State &state, const LoadTime &t);
 
+    /** Set what viscous branches have of their past in a step that ends at
+     * @p t. */
+    void
+    update_branches(const State &state, const LoadTime &t);
+
     /** Set the liquid's rest shape and volume. */
     void
     update_liquid(const State &state);

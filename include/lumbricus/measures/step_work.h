@@ -17,7 +17,7 @@ namespace lumbricus
    * where it goes in a load step from u_a at t_a to u_b at t_b, by the trapezoidal
    * rule:
    *
-   *   int psi_b dV - int psi_a dV = sum W_muscle + sum W_load,
+   *   int psi_b dV - int psi_a dV = sum W_muscle + sum W_load - sum D,
    *   W_load   = 1/2 (f_a + f_b) . (u_b - u_a),
    *   W_muscle = 1/2 int psi(F_a, alpha_b) - psi(F_a, alpha_a)
    *                    + psi(F_b, alpha_b) - psi(F_b, alpha_a) dV,
@@ -27,7 +27,8 @@ namespace lumbricus
    *
    *   1/2 int (P_m,a + P_m,b) : (F_b - F_a) dV.
    *
-   * In equilibrium the balance holds up to the error of the rule, of third order
+   * D is what the viscous branches of a tissue dissipate, int of
+   * ViscousBranch::dissipated(). In equilibrium the balance holds up to the error of the rule, of third order
    * in the length of the step, and in friction of second order where points begin
    * to slide. Where P_m hangs on the speed of fibres, which nothing knows at the
    * beginning of a step, f_b and P_m,b stand for the means of both ends: the error
@@ -38,7 +39,7 @@ namespace lumbricus
     /** Work that has a name [N mm]. */
     struct Entry
     {
-      std::string name;       ///< of a muscle or a contact
+      std::string name;       ///< of a muscle, a tissue or a contact
       double      work = 0.;  ///< [N mm]
     };
 
@@ -51,6 +52,8 @@ namespace lumbricus
     double remeshed = 0.;
     /** W_muscle of every muscle. */
     std::vector<Entry> muscles;
+    /** D of every tissue that has viscous branches. */
+    std::vector<Entry> viscosity;
     /** W_load of every load and support, as ExternalForce::work. */
     std::vector<ExternalForce> loads;
     /** What friction in every contact takes away, -1/2 int (T_a + T_b) . w dA with
@@ -58,8 +61,8 @@ namespace lumbricus
      * what the load of that name does. */
     std::vector<Entry> friction;
 
-    /** What has been done on the body more than it has stored: the error of the
-     * rule [N mm]. */
+    /** What has been done on the body more than it has stored and dissipated: the
+     * error of the rule [N mm]. */
     double
     imbalance() const;
   };
@@ -83,6 +86,10 @@ namespace lumbricus
   work_of_muscles(const Body          &body,
                   const StateWithMaps &a,
                   const StateWithMaps &b);
+
+  /** StepWork::viscosity from @p a to @p b. Collective. */
+  std::vector<StepWork::Entry>
+  work_of_viscosity(const Body &body, const State &a, const StateWithMaps &b);
 
   /** StepWork::friction from @p a to @p b, to each of which @p terms are set in
    * turn. Collective. */

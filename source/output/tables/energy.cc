@@ -7,7 +7,8 @@ namespace lumbricus
 {
   /** Where energy comes from and goes in every load step: a row for the work of
    * each muscle, load and support, for what friction takes of that in each
-   * contact, for what is stored, and for the balance of all but friction. */
+   * contact, for what each viscous tissue dissipates, for what is stored, and for
+   * the balance of all but friction. */
   class EnergyTable : public Table
   {
   public:
@@ -16,8 +17,9 @@ namespace lumbricus
     {
       prm.add_parameter("Energy",
                         wanted,
-                        "Whether the work of muscles, loads and friction in "
-                        "every load step is written to energy.csv.");
+                        "Whether the work of muscles, loads, friction and "
+                        "viscosity in every load step is written to "
+                        "energy.csv.");
     }
 
     bool
@@ -58,6 +60,8 @@ namespace lumbricus
           write_row(load.kind_name(), load.name, load.work);
       for (const StepWork::Entry &contact : work.friction)
         write_row("friction", contact.name, contact.work);
+      for (const StepWork::Entry &tissue : work.viscosity)
+        write_row("viscosity", tissue.name, tissue.work);
       if (!context.step.adaptations.empty())
         write_row("adaptation", "mesh", work.remeshed);
       write_row("stored", "tissues", work.stored_more);

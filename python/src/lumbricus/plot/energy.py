@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The work of muscles, loads and friction since the start of a run, and what is
-stored."""
+"""The work of muscles, loads, friction and viscosity since the start of a run, and
+what is stored."""
 
 import csv
 import pathlib
@@ -13,7 +13,7 @@ from .captions import no_formula
 from .figures import INCHES, save
 from .run_folder import RunFolder
 
-LINES = {"stored": "-", "friction": "--", "balance": ":"}
+LINES = {"stored": "-", "friction": "--", "viscosity": "--", "balance": ":"}
 
 
 def read_work(file_name: pathlib.Path) -> tuple[Array, dict[tuple[str, str], Array]]:
