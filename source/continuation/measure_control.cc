@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "clock.h"
+#include "path_direction.h"
 #include "path_equation.h"
 
 namespace lumbricus
@@ -98,6 +99,7 @@ namespace lumbricus
                       "[-] A step that does not converge is halved; the run "
                       "ends when it would be smaller than this.",
                       PositiveNumber());
+    branch.declare_parameters(prm);
   }
 
 
@@ -209,9 +211,11 @@ namespace lumbricus
         const double change  = is_last ? way : std::copysign(size, way);
         const double next_l  = is_last ? target : l * std::exp(change);
 
-        // As it went on.
+        // As it went on; loads may begin with no slope, as t^2 does.
         Vector guess = state.solution;
         double to    = state.time;
+        if (to == 0.)
+          to = model.parameters.load_stepping.first_step();
         if (!state.past.empty())
           {
             const State::Past &before = state.past.front();
@@ -229,6 +233,10 @@ namespace lumbricus
             GivenMeasure equation(model, *this, at_rest, next_l);
             State        next = equation.solve(state, guess, to, step);
             check_loads(model, l, state, next.time);
+            given = next_l;
+            if (branch.is_looked_for() &&
+                follow_a_branch(model, equation, state, next, step, log))
+              given = relative_value(model, next.solution);
             step.time = next.time;
             step.size = next.time - state.time;
             if (!state.past.empty() &&
@@ -236,10 +244,9 @@ namespace lumbricus
               log << "        the loads turn in this step, from where they go "
                   << (step.size < 0. ? "back" : "on") << "\n";
             state     = next;
-            given     = next_l;
             size      = step.n_cuts > 0 ? std::abs(change) :
                                           std::min(largest, 1.5 * size);
-            if (is_last)
+            if (finished(model, state))
               log << "        the " << name() << " is " << target
                   << " of that at rest at the time " << state.time << "\n";
             return step;
@@ -249,7 +256,42 @@ namespace lumbricus
             ++step.n_cuts;
             cut(l, change, state, plain_message(exception), log);
           }
+        // Newton's method may try a time for which the loads were not made.
+        catch (const ExcInput &exception)
+          {
+            ++step.n_cuts;
+            cut(l, change, state, plain_message(exception), log);
+          }
       }
+  }
+
+
+
+  bool
+  MeasureControl::follow_a_branch(ChainModel   &model,
+                                  PathEquation &equation,
+                                  const State  &state,
+                                  State        &next,
+                                  StepRecord   &step,
+                                  Log          &log)
+  {
+    // Aside by as much as this step has moved the body.
+    Vector way = next.solution;
+    way -= state.solution;
+    const double mean =
+      PathMetric::mean_displacement(model.body,
+                                    model.assembler.tangent().unknowns,
+                                    way);
+    constexpr double smallest_part = 1. / 1024;
+    return branch
+      .follow(model,
+              [&]() { return equation.stability(next); },
+              {1., smallest_part, 1. / mean},
+              state,
+              next,
+              step,
+              log)
+      .has_value();
   }
 
 
@@ -320,7 +362,10 @@ namespace lumbricus
   Continuation::Numbers
   MeasureControl::numbers() const
   {
-    return {{"given", given}, {"step_size", size}};
+    Numbers numbers      = branch.numbers();
+    numbers["given"]     = given;
+    numbers["step_size"] = size;
+    return numbers;
   }
 
 
@@ -328,10 +373,10 @@ namespace lumbricus
   bool
   MeasureControl::set_numbers(const Numbers &numbers)
   {
-    if (numbers.size() != 2 || numbers.count("given") == 0 ||
-        numbers.count("step_size") == 0 || numbers.at("given") < 0. ||
-        numbers.at("step_size") < 0.)
+    if (!has_same_names(numbers, this->numbers()) ||
+        numbers.at("given") < 0. || numbers.at("step_size") < 0.)
       return false;
+    branch.set_numbers(numbers);
     given = numbers.at("given");
     size  = numbers.at("step_size");
     return true;

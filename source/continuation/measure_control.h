@@ -8,8 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "branching.h"
+
 namespace lumbricus
 {
+  class PathEquation;
+
   /**
    * Steps at whose ends a measure m > 0 of some segments is given, from what it is
    * to a target, and the load parameter t is what it takes:
@@ -51,7 +55,7 @@ namespace lumbricus
     finished(const ChainModel &model, const State &state) const override;
 
     /** "given": the l of the last step, 0 before the first; "step_size": h of the
-     * step wanted next. */
+     * step wanted next; and those of Branching. */
     Numbers
     numbers() const override;
 
@@ -99,6 +103,17 @@ namespace lumbricus
     double
     relative_value(const ChainModel &model, const Vector &solution) const;
 
+    /** Where the step from @p state to @p next, in which @p equation holds, has passed
+     * a bifurcation: put a state of the other branch into @p next.
+     * @return whether it has. Throws ExcNotConverged. */
+    bool
+    follow_a_branch(ChainModel   &model,
+                    PathEquation &equation,
+                    const State  &state,
+                    State        &next,
+                    StepRecord   &step,
+                    Log          &log);
+
     /** Where the loads at the time @p to, which the next step takes, are beyond
      * those of the run, throw ExcSolveFailed. */
     void
@@ -125,8 +140,9 @@ namespace lumbricus
 
     std::vector<unsigned int> of_segments;
 
-    double given = 0.;
-    double size  = 0.; // 0: not known
+    double      given = 0.;
+    double      size  = 0.; // 0: not known
+    Branching   branch;
   };
 } // namespace lumbricus
 

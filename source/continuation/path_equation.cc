@@ -80,4 +80,20 @@ namespace lumbricus
     next.past = {{state.time, state.solution}};
     return next;
   }
+
+
+
+  Stability::Ends
+  PathEquation::stability(const State &state)
+  {
+    model.set_to(state);
+    Globals globals            = state.globals;
+    globals[LoadUnknown::name] = {state.time};
+    const WithUnknownLoad with_load(model.equilibrium, *this);
+    // With a factorisation of its own: a motion that hangs on what was kept would not
+    // be the same after a restart.
+    model.equilibrium.forget_factors();
+    model.equilibrium.linearise({state.solution, globals});
+    return model.stability().ends();
+  }
 } // namespace lumbricus

@@ -3,6 +3,7 @@
 #define lumbricus_continuation_path_equation_h
 
 #include <lumbricus/equilibrium/load_unknown.h>
+#include <lumbricus/equilibrium/stability.h>
 #include <lumbricus/output/step_record.h>
 #include <lumbricus/program/chain_model.h>
 
@@ -33,6 +34,11 @@ namespace lumbricus
           const Vector &guess,
           const double  t,
           StepRecord   &step);
+
+    /** How stable the model is at @p state, on the path, against motions that keep the
+     * equation. Throws ExcNotConverged. Collective. */
+    Stability::Ends
+    stability(const State &state);
 
   protected:
     /** 'Time/First step' [time]. */

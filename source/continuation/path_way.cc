@@ -159,6 +159,14 @@ namespace lumbricus
 
 
 
+  Stability::Ends
+  PathWay::stability() const
+  {
+    return Plane(model, metric, state, row, way.t, 0.).stability(state);
+  }
+
+
+
   PathDirection
   PathWay::direction_to(const State &next) const
   {

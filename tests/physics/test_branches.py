@@ -61,7 +61,7 @@ def test_a_column_buckles_as_the_elastica(column):
 
 
 def test_without_it_the_column_stays_straight(tmp_path):
-    straight = run_well(COLUMN, tmp_path, [f"{FOLLOW}=false"])
+    straight = run_well(COLUMN, tmp_path, [f"{FOLLOW}=0"])
     assert straight.last()["t"] == 1.25 and aside(straight) == []
     assert "branch" not in straight.log
 

@@ -100,6 +100,11 @@ namespace lumbricus
     {
       return numbers.empty();
     }
+
+  protected:
+    /** Whether both have all their names in common. */
+    static bool
+    has_same_names(const Numbers &a, const Numbers &b);
   };
 } // namespace lumbricus
 
