@@ -171,11 +171,11 @@ namespace lumbricus
                     ->set_numbers(progress.numbers),
                   ExcDamaged("has numbers that are not those of control '" +
                              progress.control + "'."));
-    // Times that are not apart would be divided by.
+    // Times that are not apart would be divided by. Along a path they may go back.
     double later = progress.time;
     for (const double t : progress.past)
       {
-        AssertThrow(t < later,
+        AssertThrow(t != later,
                     ExcDamaged("has a past that is not one of its time."));
         later = t;
       }
