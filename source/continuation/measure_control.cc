@@ -234,9 +234,8 @@ namespace lumbricus
             State        next = equation.solve(state, guess, to, step);
             check_loads(model, l, state, next.time);
             given = next_l;
-            if (branch.is_looked_for() &&
-                follow_a_branch(model, equation, state, next, step, log))
-              given = relative_value(model, next.solution);
+            if (branch.is_looked_for())
+              follow_a_branch(model, equation, state, next, step, log);
             step.time = next.time;
             step.size = next.time - state.time;
             if (!state.past.empty() &&
@@ -267,7 +266,7 @@ namespace lumbricus
 
 
 
-  bool
+  void
   MeasureControl::follow_a_branch(ChainModel   &model,
                                   PathEquation &equation,
                                   const State  &state,
@@ -275,23 +274,40 @@ namespace lumbricus
                                   StepRecord   &step,
                                   Log          &log)
   {
+    const auto distance = [&](const State &from, const State &to) {
+      Vector way = to.solution;
+      way -= from.solution;
+      return PathMetric::mean_displacement(
+        model.body, model.assembler.tangent().unknowns, way);
+    };
     // Aside by as much as this step has moved the body.
-    Vector way = next.solution;
-    way -= state.solution;
-    const double mean =
-      PathMetric::mean_displacement(model.body,
-                                    model.assembler.tangent().unknowns,
-                                    way);
+    const State      main          = next;
     constexpr double smallest_part = 1. / 1024;
-    return branch
-      .follow(model,
-              [&]() { return equation.stability(next); },
-              {1., smallest_part, 1. / mean},
-              state,
-              next,
-              step,
-              log)
-      .has_value();
+    const auto       aside         = branch.follow(
+      model,
+      [&]() { return equation.stability(main); },
+      {1., smallest_part, 1. / distance(state, main)},
+      state,
+      next,
+      step,
+      log);
+    if (!aside)
+      return;
+    // From there to where the measure is what it was to be, if that is not back on the
+    // first branch.
+    try
+      {
+        State on_branch =
+          equation.solve(next, next.solution, next.time, step);
+        on_branch.past = next.past;
+        if (distance(main, on_branch) > 0.5 * distance(main, next))
+          next = on_branch;
+      }
+    catch (const ExcNotConverged &)
+      {
+        ++step.n_cuts;
+      }
+    given = relative_value(model, next.solution);
   }
 
 

@@ -104,9 +104,9 @@ namespace lumbricus
     relative_value(const ChainModel &model, const Vector &solution) const;
 
     /** Where the step from @p state to @p next, in which @p equation holds, has passed
-     * a bifurcation: put a state of the other branch into @p next.
-     * @return whether it has. Throws ExcNotConverged. */
-    bool
+     * a bifurcation: put a state of the other branch into @p next, and what is given
+     * there. Throws ExcNotConverged. */
+    void
     follow_a_branch(ChainModel   &model,
                     PathEquation &equation,
                     const State  &state,

@@ -210,8 +210,10 @@ namespace lumbricus
         {
           Motion motion;
           tangent.unknowns.reinit_vector(motion.v);
-          for (unsigned int i = 0; i < basis.size(); ++i)
-            motion.v.add(vectors[k][i], basis[i]);
+          // To the side that the method began with, on any number of ranks.
+          const double side = vectors[k][0] < 0. ? -1. : 1.;
+          for (unsigned int i = 0; i < vectors[k].size(); ++i)
+            motion.v.add(side * vectors[k][i], basis[i]);
           motion.stiffness = 1. / values[k];
           ends.unstable.push_back(motion);
         }
