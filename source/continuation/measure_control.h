@@ -59,6 +59,13 @@ namespace lumbricus
     Numbers
     numbers() const override;
 
+    /** Where the loads turn. */
+    bool
+    time_may_go_back() const override
+    {
+      return true;
+    }
+
     bool
     set_numbers(const Numbers &numbers) override;
 

@@ -82,6 +82,13 @@ namespace lumbricus
     virtual void
     adapted(State &state) const;
 
+    /** Whether a state may have a time before that of the last one. */
+    virtual bool
+    time_may_go_back() const
+    {
+      return false;
+    }
+
     /** What a checkpoint has to remember besides the State. */
     virtual Numbers
     numbers() const
