@@ -43,14 +43,18 @@ def critical_strain(with_shear=True):
 
 def amplitude(strains):
     """How far the middle is aside of the edge [mm] at these strains of the edge, which
-    rise and are beyond the critical one."""
+    rise and are 1.005 times the critical one at least. Each solution is the next one's
+    first guess."""
+    way_there = np.geomspace(1.005 * critical_strain(), max(strains), 20)
+    strains = np.asarray(strains)
+    all_strains = np.union1d(way_there[way_there < max(strains)], strains)
     r = np.linspace(1e-6, 1, 200)
     size = 0.02
     wave = size * j1(ZERO * r)
-    y = np.array([wave, np.gradient(wave, r), -strains[0] * r,
-                  -(1 + NU) * strains[0] * r])
+    y = np.array([wave, np.gradient(wave, r), -all_strains[0] * r,
+                  -(1 + NU) * all_strains[0] * r])
     found = []
-    for strain in strains:
+    for strain in all_strains:
         # Of psi, psi', u, N_r r.
         def equations(r, y):
             psi, bend, u, pull = y
@@ -71,7 +75,7 @@ def amplitude(strains):
         psi, _, _, pull = y
         way = psi / (1 + pull / r / SHEAR)
         found.append(RADIUS * abs(np.sum(0.5 * (way[1:] + way[:-1]) * np.diff(r))))
-    return np.array(found)
+    return np.array(found)[np.isin(all_strains, strains)]
 
 
 def steps(folder):
@@ -90,14 +94,14 @@ def main():
     _, strain, aside = steps(folder)
     critical = critical_strain()
     print(f"critical strain {critical:.6f}, without shear {critical_strain(False):.6f}")
-    for e, w in zip(strain, aside):
-        if e > 1.05 * critical:
-            theory = amplitude(np.geomspace(1.02 * critical, e, 8))[-1]
-            print(f"strain {e:.6f}: {w:.5f} mm, theory {theory:.5f} ({w / theory - 1:+.4f})")
+    beyond = strain > 1.05 * critical
+    for e, w, theory in zip(strain[beyond], aside[beyond], amplitude(strain[beyond])):
+        print(f"strain {e:.6f}: {w:.5f} mm, theory {theory:.5f} ({w / theory - 1:+.4f})")
 
     figure, axes = figures.plt.subplots(figsize=(6, 3.6), layout="constrained")
     curve = critical * np.geomspace(1.005, max(strain) / critical, 40)
-    axes.plot([0, *(100 * curve)], [0, *(amplitude(curve) / THICKNESS)], color="#2471a3",
+    axes.plot([0, 100 * critical, *(100 * curve)],
+              [0, 0, *(amplitude(curve) / THICKNESS)], color="#2471a3",
               label="clamped plate")
     axes.plot(100 * strain, aside / THICKNESS, "o", color="#c0392b", markersize=4,
               label="steps of the run")
