@@ -6,7 +6,6 @@
 #include <deal.II/base/patterns.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "path_way.h"
 
@@ -36,7 +35,7 @@ namespace lumbricus
                       StepRecord                             &step,
                       Log                                    &log)
   {
-    const double       last         = std::exchange(stiffness, 0.);
+    const double       last         = stiffness;
     const unsigned int n_before     = n_unstable;
     Stability::Ends    now;
     try
@@ -45,7 +44,7 @@ namespace lumbricus
       }
     catch (const ExcNotConverged &)
       {
-        return {}; // the tangent is singular
+        return {}; // the tangent is singular: the next step has passed it
       }
     stiffness  = now.softest;
     n_unstable = now.unstable.size();
@@ -75,6 +74,8 @@ namespace lumbricus
         {
           ++step.n_cuts;
         }
+    stiffness  = last;
+    n_unstable = n_before;
     AssertThrow(false,
                 ExcNotConverged("No equilibrium aside of the path is found at its "
                                 "bifurcation. Set 'Follow branch' to 0, or "

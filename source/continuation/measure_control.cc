@@ -211,27 +211,12 @@ namespace lumbricus
         const double change  = is_last ? way : std::copysign(size, way);
         const double next_l  = is_last ? target : l * std::exp(change);
 
-        // As it went on; loads may begin with no slope, as t^2 does.
-        Vector guess = state.solution;
-        double to    = state.time;
-        if (to == 0.)
-          to = model.parameters.load_stepping.first_step();
-        if (!state.past.empty())
-          {
-            const State::Past &before = state.past.front();
-            const double       last = l - relative_value(model, before.solution);
-            if (std::abs(last) > alike)
-              {
-                const double part = (next_l - l) / last;
-                guess.sadd(1. + part, -part, before.solution);
-                to += part * (state.time - before.time);
-              }
-          }
-        watch.begin_step(number, to);
+        const State::Past guess = predict(model, state, l, next_l);
+        watch.begin_step(number, guess.time);
         try
           {
             GivenMeasure equation(model, *this, at_rest, next_l);
-            State        next = equation.solve(state, guess, to, step);
+            State next = equation.solve(state, guess.solution, guess.time, step);
             check_loads(model, l, state, next.time);
             given = next_l;
             if (branch.is_looked_for())
@@ -262,6 +247,31 @@ namespace lumbricus
             cut(l, change, state, plain_message(exception), log);
           }
       }
+  }
+
+
+
+  State::Past
+  MeasureControl::predict(const ChainModel &model,
+                          const State      &state,
+                          const double      l,
+                          const double      next_l) const
+  {
+    State::Past guess{state.time, state.solution};
+    // Loads may begin with no slope, as t^2 does.
+    if (guess.time == 0.)
+      guess.time = model.parameters.load_stepping.first_step();
+    if (state.past.empty())
+      return guess;
+    const State::Past &before = state.past.front();
+    const double       last   = l - relative_value(model, before.solution);
+    if (std::abs(last) > alike)
+      {
+        const double part = (next_l - l) / last;
+        guess.solution.sadd(1. + part, -part, before.solution);
+        guess.time += part * (state.time - before.time);
+      }
+    return guess;
   }
 
 

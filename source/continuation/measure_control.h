@@ -110,6 +110,14 @@ namespace lumbricus
     double
     relative_value(const ChainModel &model, const Vector &solution) const;
 
+    /** Time, displacements and pressures to begin with where l is to be @p next_l and
+     * is @p l at @p state: as they went on from the state before. */
+    State::Past
+    predict(const ChainModel &model,
+            const State      &state,
+            const double      l,
+            const double      next_l) const;
+
     /** Where the step from @p state to @p next, in which @p equation holds, has passed
      * a bifurcation: put a state of the other branch into @p next, and what is given
      * there. Throws ExcNotConverged. */
