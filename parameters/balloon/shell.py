@@ -82,14 +82,17 @@ def make_shell(radius, thickness, n, n_nodes=8, through=1):
 
 def write_msh(file_name, nodes, groups):
     """In the format 2.2, as text."""
+    n_nodes = max(len(elements[0]) for elements in groups.values())
+
+    def is_face(name):
+        return len(groups[name][0]) < n_nodes
     lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames",
              str(len(groups))]
-    lines += [f'{3 if name == "wall" else 2} {tag} "{name}"'
+    lines += [f'{2 if is_face(name) else 3} {tag} "{name}"'
               for tag, (name, elements) in enumerate(groups.items(), 1)]
     lines += ["$EndPhysicalNames", "$Nodes", str(len(nodes))]
     lines += [f"{number} {x} {y} {z}" for (x, y, z), number in nodes.items()]
-    kinds = KINDS[len(groups["wall"][0])]
-    elements = [(kinds[name != "wall"], tag, element)
+    elements = [(KINDS[n_nodes][is_face(name)], tag, element)
                 for tag, (name, of_group) in enumerate(groups.items(), 1)
                 for element in of_group]
     lines += ["$EndNodes", "$Elements", str(len(elements))]

@@ -166,16 +166,20 @@ namespace lumbricus
       AssertThrow(progress.histories.count(name) > 0,
                   ExcDamaged("does not have 'history " + name + "'."));
     // The control of a user's library is not known yet.
+    bool may_go_back = true;
     if (Registry<Continuation>::entries().count(progress.control) > 0)
-      AssertThrow(Registry<Continuation>::create(progress.control)
-                    ->set_numbers(progress.numbers),
-                  ExcDamaged("has numbers that are not those of control '" +
-                             progress.control + "'."));
+      {
+        const auto control = Registry<Continuation>::create(progress.control);
+        AssertThrow(control->set_numbers(progress.numbers),
+                    ExcDamaged("has numbers that are not those of control '" +
+                               progress.control + "'."));
+        may_go_back = control->time_may_go_back();
+      }
     // Times that are not apart would be divided by.
     double later = progress.time;
     for (const double t : progress.past)
       {
-        AssertThrow(t < later,
+        AssertThrow(t < later || (may_go_back && t > later),
                     ExcDamaged("has a past that is not one of its time."));
         later = t;
       }

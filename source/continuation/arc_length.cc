@@ -2,13 +2,11 @@
 #include "arc_length.h"
 
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/discretization/displacement_before.h>
 #include <lumbricus/equilibrium/stability.h>
 #include <lumbricus/parameters/registry.h>
 #include <lumbricus/program/diagnosis.h>
 #include <lumbricus/program/run_watch.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/patterns.h>
 
 #include <algorithm>
@@ -17,50 +15,14 @@
 #include <string>
 #include <utility>
 
+#include "clock.h"
+
 namespace lumbricus
 {
   namespace
   {
     // The part of the largest turn that steps aim at.
     constexpr double easy = 0.7;
-
-
-
-    // Whether what it prescribes changes over the time of the run, in the middle of
-    // some face. Collective.
-    bool
-    moves(const NamedCondition &condition, const ChainModel &model)
-    {
-      const auto *prescribed = condition.prescribed_displacement();
-      if (prescribed == nullptr)
-        return false;
-      const auto times = model.parameters.times_to_try();
-      const auto known = prescribed->components();
-      bool       any   = false;
-      for (const auto &cell : model.space.owned_cells())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              cell->face(f)->boundary_id() == condition.boundary)
-            for (unsigned int c = 0; c < dim; ++c)
-              for (const double t : times)
-                any = any ||
-                      (known[c] &&
-                       prescribed->value(c, cell->face(f)->center(), t) !=
-                         prescribed->value(c, cell->face(f)->center(), times[0]));
-      return dealii::Utilities::MPI::logical_or(any, model.space.communicator());
-    }
-
-
-
-    void
-    refuse(const std::string &what, const std::string &instead)
-    {
-      AssertThrow(false,
-                  ExcInput(about_parameter("Path/Control",
-                                           "is 'arc length', along which time "
-                                           "may go back, but " +
-                                             what + ". " + instead)));
-    }
   } // namespace
 
 
@@ -80,70 +42,7 @@ namespace lumbricus
                       "which the first step is 'Time/First step' long; 0: at "
                       "'Time/End', or at rest again.",
                       dealii::Patterns::Double(0.));
-    prm.add_parameter("Follow branch",
-                      follows_branch,
-                      "Whether to look for the first bifurcation, where the body "
-                      "buckles, and to go on along the branch that begins there, "
-                      "to the side of the softest motion. Takes half a load step "
-                      "or so in each before it.");
-  }
-
-
-
-  void
-  ArcLength::follow_a_branch(ChainModel  &model,
-                             const State &state,
-                             State       &next,
-                             StepRecord  &step,
-                             Log         &log)
-  {
-    const double last = std::exchange(stiffness, 0.);
-    model.set_to(next);
-    model.equilibrium.linearise({next.solution, next.globals});
-    const Stability   stability = model.stability();
-    Stability::Motion softest;
-    try
-      {
-        softest = stability.softest_motion();
-      }
-    catch (const ExcNotConverged &)
-      {
-        return; // the tangent is singular
-      }
-    stiffness = softest.stiffness;
-    // Where the time turns the path itself does what is soft.
-    const bool turns = !state.past.empty() &&
-                       (next.time - state.time) *
-                           (state.time - state.past.front().time) <
-                         0.;
-    if (!(last > 0.) || !(stiffness < 0.) || turns)
-      return;
-    // Both branches come from where it is zero.
-    const double part = last / (last - stiffness);
-    State::Past  fork{state.time + part * (next.time - state.time),
-                     state.solution};
-    fork.solution.sadd(1. - part, part, next.solution);
-    log << "        another branch begins at the time " << fork.time
-        << " or so, in a motion that is largest in "
-        << stability.place(softest) << ": this run follows it\n";
-    const PathWay aside(model, next, displacement, softest.v);
-    for (double distance = size; distance >= smallest; distance *= 0.5)
-      try
-        {
-          next      = aside.step(distance, step);
-          next.past = {fork};
-          length += aside.length_to(next);
-          branched = true;
-          return;
-        }
-      catch (const ExcNotConverged &)
-        {
-          ++step.n_cuts;
-        }
-    AssertThrow(false,
-                ExcNotConverged("No equilibrium aside of the path is found at its "
-                                "bifurcation. Set 'Path/arc length/Follow branch' "
-                                "to false, or choose smaller steps"));
+    branch.declare_parameters(prm);
   }
 
 
@@ -161,32 +60,7 @@ namespace lumbricus
   ArcLength::open(const ChainModel &model)
   {
     Continuation::open(model);
-    const BoundaryConditions &conditions = model.parameters.boundary_conditions;
-    for (unsigned int i = 0; i < conditions.n_conditions(); ++i)
-      {
-        const auto *term = conditions.condition(i).surface_term();
-        if (term != nullptr && term->depends_on_rate())
-          refuse("'Boundary conditions/" + conditions.condition(i).name +
-                   "' depends on how fast the body moves",
-                 "Leave it out, or set 'time'");
-      }
-    if (model.surface_terms.may_slide())
-      refuse("the skin slides with friction, which remembers the way in time",
-             "Set its friction to 0, or set 'time'");
-    if (muscles_feel_speed(model.parameters.anatomy))
-      refuse("a muscle feels how fast it shortens",
-             "Set its 'Force-velocity' to 'none', or set 'time'");
-    if (model.parameters.anatomy.n_viscous_branches() > 0)
-      refuse("a tissue has viscous branches, whose stress relaxes in time",
-             "Leave them out, or set 'time'");
-    if (model.parameters.cavity_contents.exchange().any())
-      refuse("liquid flows through pores, leaks or in from outside",
-             "Close them, or set 'time'");
-    for (unsigned int i = 0; i < conditions.n_conditions(); ++i)
-      if (moves(conditions.condition(i), model))
-        refuse("'Boundary conditions/" + conditions.condition(i).name +
-                 "' prescribes displacements that change",
-               "Prescribe a load, or set 'time'");
+    check_needs_no_clock(model);
   }
 
 
@@ -219,7 +93,7 @@ namespace lumbricus
                                first_step(model, state, to, step);
             if (way && !goes_on(*way, state, next, step, log))
               continue;
-            if (follows_branch && !branched)
+            if (branch.is_looked_for())
               follow_a_branch(model, state, next, step, log);
             step.time = next.time;
             step.size = next.time - state.time;
@@ -273,6 +147,28 @@ namespace lumbricus
     const double end = model.parameters.load_stepping.end_time();
     return to > end || to < 0. ? way.step_in_time(to > end ? end : 0., step) :
                                  way.step(size, step);
+  }
+
+
+
+  void
+  ArcLength::follow_a_branch(ChainModel  &model,
+                             const State &state,
+                             State       &next,
+                             StepRecord  &step,
+                             Log         &log)
+  {
+    const State    here = next;
+    const PathWay  way(model, here, displacement);
+    const auto     aside =
+      branch.follow(model,
+                    [&]() { return way.stability(); },
+                    {size, smallest, displacement},
+                    state,
+                    next,
+                    step,
+                    log);
+    length += aside.value_or(0.);
   }
 
 
@@ -351,11 +247,11 @@ namespace lumbricus
   Continuation::Numbers
   ArcLength::numbers() const
   {
-    return {{"length", length},
-            {"step_size", size},
-            {"displacement", displacement},
-            {"stiffness", stiffness},
-            {"branched", branched ? 1. : 0.}};
+    Numbers numbers        = branch.numbers();
+    numbers["length"]       = length;
+    numbers["step_size"]    = size;
+    numbers["displacement"] = displacement;
+    return numbers;
   }
 
 
@@ -363,19 +259,11 @@ namespace lumbricus
   bool
   ArcLength::set_numbers(const Numbers &numbers)
   {
-    const Numbers own = this->numbers();
-    if (!std::equal(numbers.begin(),
-                    numbers.end(),
-                    own.begin(),
-                    own.end(),
-                    [](const auto &a, const auto &b) {
-                      return a.first == b.first;
-                    }) ||
+    if (!has_same_names(numbers, this->numbers()) ||
         !(numbers.at("step_size") > 0.) ||
         numbers.at("length") < 0. || numbers.at("displacement") < 0.)
       return false;
-    stiffness    = numbers.at("stiffness");
-    branched     = numbers.at("branched") != 0.;
+    branch.set_numbers(numbers);
     length       = numbers.at("length");
     size         = numbers.at("step_size");
     displacement = numbers.at("displacement");

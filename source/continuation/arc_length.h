@@ -4,6 +4,7 @@
 
 #include <lumbricus/continuation/continuation.h>
 
+#include "branching.h"
 #include "path_way.h"
 
 namespace lumbricus
@@ -48,10 +49,16 @@ namespace lumbricus
 
     /** "length": of the path so far; "step_size": of the step wanted next
      * [time]; "displacement": the T/U of PathMetric [time/mm], 0 before the first
-     * step; "stiffness" of the softest motion; "branched": whether it has left the
-     * first branch. */
+     * step; and those of Branching. */
     Numbers
     numbers() const override;
+
+    /** Where the loads turn. */
+    bool
+    time_may_go_back() const override
+    {
+      return true;
+    }
 
     bool
     set_numbers(const Numbers &numbers) override;
@@ -101,18 +108,14 @@ namespace lumbricus
         const std::string &why,
         Log               &log);
 
-    double largest_turn   = 20.;
-    double end_length     = 0.;
-    bool   follows_branch = false;
-    double smallest       = 0.;
+    double      largest_turn = 20.;
+    double      end_length   = 0.;
+    Branching   branch;
+    double      smallest = 0.;
 
     double length       = 0.;
     double size         = 0.;
     double displacement = 0.;
-    /** Of the softest motion [N/mm^4], where branches are looked for; 0: not
-     * known. */
-    double stiffness = 0.;
-    bool   branched  = false;
   };
 } // namespace lumbricus
 

@@ -4,6 +4,8 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/program/chain_model.h>
 
+#include <algorithm>
+
 namespace lumbricus
 {
   void
@@ -38,5 +40,19 @@ namespace lumbricus
   Continuation::adapted(State &state) const
   {
     state.past.clear();
+  }
+
+
+
+  bool
+  Continuation::has_same_names(const Numbers &a, const Numbers &b)
+  {
+    return std::equal(a.begin(),
+                      a.end(),
+                      b.begin(),
+                      b.end(),
+                      [](const auto &one, const auto &other) {
+                        return one.first == other.first;
+                      });
   }
 } // namespace lumbricus

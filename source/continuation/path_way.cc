@@ -2,7 +2,6 @@
 #include "path_way.h"
 
 #include <lumbricus/core/exceptions.h>
-#include <lumbricus/equilibrium/load_unknown.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -10,12 +9,14 @@
 #include <cmath>
 #include <limits>
 
+#include "path_equation.h"
+
 namespace lumbricus
 {
   namespace
   {
     // The plane in which a step ends.
-    class Plane : public LoadUnknown
+    class Plane : public PathEquation
     {
     public:
       // From @p state as far as @p distance in the direction whose row and change
@@ -26,36 +27,22 @@ namespace lumbricus
             const Vector     &row,
             const double      by_time,
             const double      distance)
-        : model(model)
+        : PathEquation(model)
         , metric(metric)
         , state(state)
         , row(row)
         , by_time(by_time)
         , distance(distance)
-        , unit(model.parameters.load_stepping.first_step())
       {}
-
-      void
-      set_loads(const LoadTime &t) override
-      {
-        model.references.update_muscles(t);
-        model.liquid_weight.set_time(t);
-      }
-
-      double
-      difference() const override
-      {
-        return 1e-6 * unit;
-      }
 
       Equation
       equation(const Vector &solution, const double t) const override
       {
         PathDirection way{solution, t - state.time};
         way.u -= state.solution;
-        return {(metric.product(row, by_time, way) - distance) / unit,
+        return {(metric.product(row, by_time, way) - distance) / unit(),
                 8. * std::numeric_limits<double>::epsilon() *
-                  (1. + std::abs(t) / unit)};
+                  (1. + std::abs(t) / unit())};
       }
 
       // The same everywhere: it is a plane.
@@ -64,41 +51,15 @@ namespace lumbricus
                   const double /*t*/) const override
       {
         BorderVector by_u(row);
-        by_u.scale(1. / unit);
-        return {by_u, 0.5 * by_time / unit};
+        by_u.scale(1. / unit());
+        return {by_u, 0.5 * by_time / unit()};
       }
 
     private:
-      ChainModel       &model;
       const PathMetric &metric;
       const State      &state;
       const Vector     &row;
-      const double      by_time, distance, unit;
-    };
-
-
-
-    // The equilibrium solves for the load parameter as long as this is there.
-    class WithUnknownLoad
-    {
-    public:
-      WithUnknownLoad(Equilibrium &equilibrium, LoadUnknown &load)
-        : equilibrium(equilibrium)
-      {
-        equilibrium.set_load_unknown(&load);
-      }
-
-      ~WithUnknownLoad()
-      {
-        equilibrium.set_load_unknown(nullptr);
-      }
-
-      WithUnknownLoad(const WithUnknownLoad &) = delete;
-      WithUnknownLoad &
-      operator=(const WithUnknownLoad &) = delete;
-
-    private:
-      Equilibrium &equilibrium;
+      const double      by_time, distance;
     };
 
 
@@ -177,19 +138,9 @@ namespace lumbricus
   PathWay::step(const double distance, StepRecord &step) const
   {
     Plane  plane(model, metric, state, row, way.t, distance);
-    State  next  = state;
     Vector guess = state.solution;
     guess.add(distance, way.u);
-    next.time                       = state.time + distance * way.t;
-    next.globals[LoadUnknown::name] = {next.time};
-    {
-      const WithUnknownLoad with_load(model.equilibrium, plane);
-      step.report = model.solve(next, next.time, guess);
-    }
-    next.time = next.globals.at(LoadUnknown::name)[0];
-    next.globals.erase(LoadUnknown::name);
-    next.past = {{state.time, state.solution}};
-    return next;
+    return plane.solve(state, guess, state.time + distance * way.t, step);
   }
 
 
@@ -204,6 +155,14 @@ namespace lumbricus
     step.report = model.solve(next, t, guess);
     next.past   = {{state.time, state.solution}};
     return next;
+  }
+
+
+
+  Stability::Ends
+  PathWay::stability() const
+  {
+    return Plane(model, metric, state, row, way.t, 0.).stability(state);
   }
 
 

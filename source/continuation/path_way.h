@@ -54,6 +54,11 @@ namespace lumbricus
     State
     step_in_time(const double t, StepRecord &step) const;
 
+    /** How stable the model is at the state here against motions across the way.
+     * Throws ExcNotConverged. */
+    Stability::Ends
+    stability() const;
+
     /** How far @p next is from here [time]. */
     double
     length_to(const State &next) const;

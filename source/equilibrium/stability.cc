@@ -2,8 +2,13 @@
 #include <lumbricus/discretization/cell_sizes.h>
 #include <lumbricus/equilibrium/stability.h>
 
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace lumbricus
@@ -90,10 +95,9 @@ namespace lumbricus
 
 
 
-  Stability::Motion
-  Stability::softest_motion() const
+  Vector
+  Stability::any_force() const
   {
-    // Begin with some force that has no symmetry.
     const CellUnknowns &unknowns = tangent.unknowns;
     Vector              f;
     unknowns.reinit_vector(f);
@@ -110,8 +114,15 @@ namespace lumbricus
       unknowns.add(cell.index, f_cell, f);
     });
     f.compress(dealii::VectorOperation::add);
+    return f;
+  }
 
-    Motion motion = response(f);
+
+
+  Stability::Motion
+  Stability::softest_motion() const
+  {
+    Motion motion = response(any_force());
     for (unsigned int n = 0; n < most_iterations; ++n)
       {
         const double before = motion.stiffness;
@@ -121,6 +132,92 @@ namespace lumbricus
           break;
       }
     return motion;
+  }
+
+
+
+  Stability::Ends
+  Stability::ends() const
+  {
+    // Where 1/k is a smaller part of the largest one than this it is not told from
+    // what is left of the linear systems.
+    constexpr double       least_part = 1e-3;
+    constexpr unsigned int fewest     = 12;
+
+    // A basis with v_i . M v_j = delta_ij, and in it the inverse.
+    std::vector<Vector>        basis, masses;
+    dealii::FullMatrix<double> inverse(most_iterations, most_iterations);
+    Vector                     next = response(any_force()).v;
+    // 1/k, in ascending order, and the coordinates of their motions.
+    std::vector<double>              values, before;
+    std::vector<std::vector<double>> vectors;
+    for (unsigned int n = 0; n < most_iterations; ++n)
+      {
+        // Twice is enough.
+        for (unsigned int twice = 0; twice < 2; ++twice)
+          for (unsigned int i = 0; i < n; ++i)
+            next.add(-(next * masses[i]), basis[i]);
+        const Vector mass_of_next = mass(next);
+        const double size         = std::sqrt(next * mass_of_next);
+        // Of less the basis has all there is.
+        if (n > 0 && size < least_part * solve_tolerance * values.back())
+          break;
+        basis.push_back(next);
+        basis.back() *= 1. / size;
+        masses.push_back(mass_of_next);
+        masses.back() *= 1. / size;
+
+        next = solve(masses.back());
+        for (unsigned int i = 0; i <= n; ++i)
+          inverse(i, n) = inverse(n, i) = next * masses[i];
+
+        dealii::LAPACKFullMatrix<double> part(n + 1);
+        for (unsigned int i = 0; i <= n; ++i)
+          for (unsigned int j = 0; j <= n; ++j)
+            part(i, j) = inverse(i, j);
+        dealii::Vector<double>     eigenvalues;
+        dealii::FullMatrix<double> eigenvectors;
+        const double               bound = 2. * part.frobenius_norm();
+        part.compute_eigenvalues_symmetric(
+          -bound, bound, 0., eigenvalues, eigenvectors);
+        before = std::exchange(values,
+                               std::vector<double>(eigenvalues.begin(),
+                                                   eigenvalues.end()));
+        vectors.clear();
+        for (unsigned int k = 0; k < values.size(); ++k)
+          {
+            vectors.emplace_back();
+            for (unsigned int i = 0; i <= n; ++i)
+              vectors.back().push_back(eigenvectors(i, k));
+          }
+        const auto same = [&](const double one, const double other) {
+          return std::abs(one - other) <=
+                 tolerance * std::max(std::abs(values.front()),
+                                      std::abs(values.back()));
+        };
+        if (n + 1 >= fewest && same(values.front(), before.front()) &&
+            same(values.back(), before.back()))
+          break;
+      }
+
+    Ends         ends;
+    const double largest =
+      std::max(std::abs(values.front()), std::abs(values.back()));
+    if (values.back() > 0.)
+      ends.softest = 1. / values.back();
+    for (unsigned int k = 0; k < values.size(); ++k)
+      if (values[k] < -least_part * largest)
+        {
+          Motion motion;
+          tangent.unknowns.reinit_vector(motion.v);
+          // To the side that the method began with, on any number of ranks.
+          const double side = vectors[k][0] < 0. ? -1. : 1.;
+          for (unsigned int i = 0; i < vectors[k].size(); ++i)
+            motion.v.add(side * vectors[k][i], basis[i]);
+          motion.stiffness = 1. / values[k];
+          ends.unstable.push_back(motion);
+        }
+    return ends;
   }
 
 
@@ -135,20 +232,29 @@ namespace lumbricus
 
 
 
-  Stability::Motion
-  Stability::response(const Vector &f) const
+  Vector
+  Stability::solve(const Vector &f) const
   {
-    Motion motion;
-    tangent.unknowns.reinit_vector(motion.v);
+    Vector v;
+    tangent.unknowns.reinit_vector(v);
     if (border.size() == 0)
-      linear_solver.solve(motion.v, f, solve_tolerance);
+      linear_solver.solve(v, f, solve_tolerance);
     else
       {
         std::vector<double>       of_globals;
         const std::vector<double> none(border.size(), 0.);
-        linear_solver.solve(
-          motion.v, of_globals, f, none, border, solve_tolerance);
+        linear_solver.solve(v, of_globals, f, none, border, solve_tolerance);
       }
+    return v;
+  }
+
+
+
+  Stability::Motion
+  Stability::response(const Vector &f) const
+  {
+    Motion motion;
+    motion.v          = solve(f);
     const double work = motion.v * f;
     const double size = std::sqrt(motion.v * mass(motion.v));
     motion.v /= size;

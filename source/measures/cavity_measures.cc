@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <tuple>
@@ -159,5 +160,42 @@ namespace lumbricus
     });
     dealii::Utilities::MPI::sum(volumes, space.communicator(), volumes);
     return volumes;
+  }
+
+
+
+  Vector
+  cavity_volume_derivative(const Body                      &body,
+                           const CellUnknowns              &unknowns,
+                           const std::vector<unsigned int> &segments,
+                           const Vector                    &relevant_solution)
+  {
+    const auto        walls = body.anatomy.geometry().cavities();
+    const CavityFaces cavities(body.anatomy.geometry());
+    const MixedSpace &space = body.space;
+    SurfaceKernel     surface(space);
+    ElementKernel     kernel;
+    Vector            derivative;
+    std::vector<dealii::types::global_dof_index> indices(
+      space.fe.n_dofs_per_cell());
+    unknowns.reinit_vector(derivative);
+    cavities.for_each(body, [&](const OwnedCell   &cell,
+                                const unsigned int face,
+                                const unsigned int k) {
+      if (std::find(segments.begin(), segments.end(), walls[k].segment) ==
+          segments.end())
+        return;
+      kernel.read(space, cell.iterator, relevant_solution, indices);
+      surface.reinit(cell.iterator, face);
+      std::array<double, CellUnknowns::n_per_cell> of_cell = {};
+      for (unsigned int q = 0; q < surface.n_points(); ++q)
+        {
+          surface.set(q, kernel.u);
+          add_volume_derivative(surface, walls[k], of_cell.data());
+        }
+      unknowns.add(cell.index, of_cell.data(), derivative);
+    });
+    derivative.compress(dealii::VectorOperation::add);
+    return derivative;
   }
 } // namespace lumbricus

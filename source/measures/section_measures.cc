@@ -6,6 +6,8 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -20,6 +22,36 @@ namespace lumbricus
       double                 area[2] = {0., 0.};
       dealii::Tensor<1, dim> middle; // vector area
     };
+
+
+
+    // Which end section of its segment a face of the wall is in, if it is in one.
+    enum class EndSection
+    {
+      none,
+      begin,
+      end
+    };
+
+
+
+    EndSection
+    end_section(const SegmentSections &section,
+                const double           x,
+                const double           tolerance)
+    {
+      return std::abs(x - section.begin) < tolerance ? EndSection::begin :
+             std::abs(x - section.end) < tolerance   ? EndSection::end :
+                                                       EndSection::none;
+    }
+
+
+
+    double
+    plane_tolerance(const Geometry &geometry)
+    {
+      return 1e-9 * geometry.characteristic_length();
+    }
 
 
 
@@ -57,7 +89,7 @@ namespace lumbricus
     const Geometry   &geometry   = body.anatomy.geometry();
     const auto        sections   = geometry.sections();
     const auto        tissues    = geometry.tissues();
-    const double      tolerance  = 1e-9 * geometry.characteristic_length();
+    const double      tolerance  = plane_tolerance(geometry);
     const bool        has_liquid = body.anatomy.has_liquid();
 
     dealii::FEFaceValues<dim> face_values(space.mapping,
@@ -89,13 +121,12 @@ namespace lumbricus
                              !has_cavity[cell.region.segment];
         for (const auto &face : cell.iterator->face_iterators())
           {
-            const double x  = face->center()[0];
-            const auto   at = [&](const double plane) {
-              return std::abs(x - plane) < tolerance;
-            };
-            const bool at_begin  = wall && at(section.begin);
-            const bool at_end    = wall && at(section.end);
-            const bool at_middle = middle && at(section.middle) &&
+            const double     x  = face->center()[0];
+            const EndSection of = end_section(section, x, tolerance);
+            const bool at_begin = wall && of == EndSection::begin;
+            const bool at_end   = wall && of == EndSection::end;
+            const bool at_middle = middle &&
+                                   std::abs(x - section.middle) < tolerance &&
                                    cell.iterator->center()[0] < section.middle;
             if (!at_begin && !at_end && !at_middle)
               continue;
@@ -156,8 +187,84 @@ namespace lumbricus
                               std::sqrt(area / dealii::numbers::PI) :
                               std::numeric_limits<double>::quiet_NaN(),
                             begin[0],
-                            end[0]});
+                            end[0],
+                            axis});
       }
     return measures;
+  }
+
+
+
+  Vector
+  length_derivative(const Body                      &body,
+                    const CellUnknowns              &unknowns,
+                    const std::vector<unsigned int> &segments,
+                    const Vector                    &relevant_solution)
+  {
+    // int N dA of a face in an end section.
+    struct EndFace
+    {
+      unsigned int                              cell, segment;
+      bool                                      at_end;
+      std::array<double, MixedSpace::n_nodes> weights = {};
+    };
+
+    const MixedSpace         &space     = body.space;
+    const Geometry           &geometry  = body.anatomy.geometry();
+    const auto                sections  = geometry.sections();
+    const auto                tissues   = geometry.tissues();
+    const double              tolerance = plane_tolerance(geometry);
+    dealii::FEFaceValues<dim> face_values(space.mapping,
+                                          space.fe,
+                                          space.face_quadrature,
+                                          dealii::update_values |
+                                            dealii::update_JxW_values);
+    std::vector<EndFace>      faces;
+    std::vector<double>       areas(2 * sections.size(), 0.);
+    for (const OwnedCell cell : body.owned_cells())
+      if (tissues[cell.region.tissue].wall_layer)
+        for (const auto &face : cell.iterator->face_iterators())
+          {
+            const unsigned int s  = cell.region.segment;
+            const EndSection   of = end_section(sections[s],
+                                              face->center()[0],
+                                              tolerance);
+            if (of == EndSection::none)
+              continue;
+            face_values.reinit(mesh_cell(cell.iterator), face);
+            EndFace at{cell.index, s, of == EndSection::end};
+            for (unsigned int q = 0; q < space.face_quadrature.size(); ++q)
+              {
+                for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+                  at.weights[n] +=
+                    face_values.shape_value(space.displacement_dof[0][n], q) *
+                    face_values.JxW(q);
+                areas[2 * s + at.at_end] += face_values.JxW(q);
+              }
+            faces.push_back(at);
+          }
+    dealii::Utilities::MPI::sum(areas, space.communicator(), areas);
+
+    const auto measures = section_measures(body, relevant_solution);
+    Vector     derivative;
+    unknowns.reinit_vector(derivative);
+    for (const EndFace &face : faces)
+      {
+        if (std::find(segments.begin(), segments.end(), face.segment) ==
+            segments.end())
+          continue;
+        const SectionMeasures &measure = measures[face.segment];
+        const double           factor =
+          (face.at_end ? 1. : -1.) /
+          (measure.length * areas[2 * face.segment + face.at_end]);
+        std::array<double, CellUnknowns::n_per_cell> of_cell = {};
+        for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
+          for (unsigned int c = 0; c < dim; ++c)
+            of_cell[CellUnknowns::displacement(c, n)] =
+              factor * face.weights[n] * measure.axis[c];
+        unknowns.add(face.cell, of_cell.data(), derivative);
+      }
+    derivative.compress(dealii::VectorOperation::add);
+    return derivative;
   }
 } // namespace lumbricus

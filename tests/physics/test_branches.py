@@ -61,7 +61,7 @@ def test_a_column_buckles_as_the_elastica(column):
 
 
 def test_without_it_the_column_stays_straight(tmp_path):
-    straight = run_well(COLUMN, tmp_path, [f"{FOLLOW}=false"])
+    straight = run_well(COLUMN, tmp_path, [f"{FOLLOW}=0"])
     assert straight.last()["t"] == 1.25 and aside(straight) == []
     assert "branch" not in straight.log
 
@@ -79,3 +79,19 @@ def test_a_restart_before_and_on_the_branch(tmp_path, column, length):
     whole = go_on(tmp_path / "run", ["Path/arc length/Length=0"])
     assert whole.log.count("another branch") == (length < 1)
     equal(column.segments(), whole.segments(), 1e-12)
+
+
+def test_the_second_branch_goes_the_other_way(tmp_path):
+    """Of a column of 0.5 x 1 mm, to the side of the millimetre, where it is four times
+    as stiff."""
+    result = run_well(COLUMN, tmp_path, [*TO_THE_END, f"{FOLLOW}=2", "Time/End=5"])
+    assert result.log.count("another branch") == 1
+    on_it = [(row["t"], abs(row["uz"])) for row in result.table("points.csv")
+             if abs(row["uz"]) > 1e-3]
+    load = min(t for t, _ in on_it)
+    assert load == pytest.approx(4, rel=0.015)
+    large = [(t, u) for t, u in on_it if u > 2]
+    assert len(large) > 5 and large[-1][1] > 6
+    for t, u in large:
+        assert u == pytest.approx(elastica(t / load), rel=0.02), t
+    assert aside(result) == []

@@ -70,11 +70,13 @@ def test_two_ranks(tmp_path, balloon):
     assert turns(again) == [pytest.approx(turns(balloon)[0], rel=1e-5)]
 
 
-@pytest.mark.parametrize("length", [0.5, 2])
-def test_a_restart_before_and_behind_it(tmp_path, balloon, length):
+@pytest.mark.parametrize("length, is_behind", [(0.5, False), (2, False), (5, True)])
+def test_a_restart_before_and_behind_it(tmp_path, balloon, length, is_behind):
+    """Behind it no run went on: a past that was later was taken for damage."""
     first = run_well(SPHERE, tmp_path / "run",
                      [*BALLOON, *TO_THE_END, f"{LENGTH}={length}"])
     assert 1 < len(first.segments()) < len(balloon.segments()) - 2
+    assert (len(turns(first)) > 0) == is_behind
     whole = go_on(tmp_path / "run", [f"{LENGTH}=9"])
     equal(balloon.segments(), whole.segments(), 1e-12)
 
@@ -133,3 +135,22 @@ def test_what_needs_a_time_that_goes_on_is_refused(tmp_path, case, settings, wor
     for word in ["'Path/Control' is 'arc length'", *words]:
         assert word in result.said(), result.message
     assert not (tmp_path / "out" / "segments.csv").exists()
+
+
+GROUND = ["Boundary conditions/top/Type=dead traction",
+          "Boundary conditions/top/dead traction/Traction=0; 0; -0.1*t",
+          "Time/First step=0.25", "Time/Largest step=0.25", *TO_THE_END]
+
+
+def test_on_ground_without_friction_it_leads_where_it_does_in_time(tmp_path):
+    """A block that is pressed on a plane; what it takes to have this height."""
+    in_time = run_well(HERE / "ground.prm", tmp_path / "time", GROUND)
+    along = run_well(HERE / "ground.prm", tmp_path / "path", [*GROUND, *ALONG])
+    assert len({row["t"] for row in along.segments()}) > 3
+    for name, value in in_time.last().items():
+        assert along.last()[name] == pytest.approx(value, rel=1e-8, nan_ok=True), name
+    long = in_time.last()["length"] / in_time.segments()[0]["length"]
+    given = run_well(HERE / "ground.prm", tmp_path / "length", [
+        *GROUND, "Path/Control=length of a segment", "Time/End=2",
+        f"Path/length of a segment/Relative length={long!r}"])
+    assert given.last()["t"] == pytest.approx(1, rel=1e-6)

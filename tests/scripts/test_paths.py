@@ -6,6 +6,7 @@ import sys
 
 import numpy as np
 import pytest
+import pyvista
 from PIL import Image
 
 from lumbricus_run import SOURCE, run_well
@@ -35,6 +36,31 @@ def test_the_series_is_in_the_order_of_the_steps(arch):
     # The crown goes down all the way.
     lowest = [read_grid(file)["displacement"][:, 1].min() for _, file in series]
     assert lowest == sorted(lowest, reverse=True)
+
+
+def test_others_read_it_in_that_order(arch):
+    """Readers sort a series by its time steps, and ParaView shows one picture of each:
+    they were the times, so that the arch went up and down."""
+    reader = pyvista.get_reader(arch.folder / "solution.pvd")
+    rows = arch.segments()
+    assert list(reader.time_values) == list(range(len(rows)))
+    lowest = []
+    for number, row in enumerate(rows):
+        reader.set_active_time_point(number)
+        grid = reader.read()[0]
+        assert grid.field_data["TIME"][0] == pytest.approx(row["t"], rel=1e-5)
+        lowest.append(grid["displacement"][:, 1].min())
+    assert lowest == sorted(lowest, reverse=True)
+
+
+def test_in_time_the_steps_are_the_times(tmp_path):
+    result = run_well(ARCH / "case.prm", tmp_path,
+                      [f"Geometry/mesh file/File={ARCH / 'arch.msh'}",
+                       "Path/Control=time", "Time/End=0.3"])
+    times = [row["t"] for row in result.segments()]
+    assert list(pyvista.get_reader(result.folder / "solution.pvd").time_values) == \
+        pytest.approx(times, rel=1e-10)
+    assert [t for t, _ in read_series(result.folder)] == pytest.approx(times)
 
 
 def test_pictures_are_evenly_spaced_along_the_path(arch):

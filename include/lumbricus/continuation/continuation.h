@@ -82,6 +82,13 @@ namespace lumbricus
     virtual void
     adapted(State &state) const;
 
+    /** Whether a state may have a time before that of the last one. */
+    virtual bool
+    time_may_go_back() const
+    {
+      return false;
+    }
+
     /** What a checkpoint has to remember besides the State. */
     virtual Numbers
     numbers() const
@@ -100,6 +107,11 @@ namespace lumbricus
     {
       return numbers.empty();
     }
+
+  protected:
+    /** Whether both have all their names in common. */
+    static bool
+    has_same_names(const Numbers &a, const Numbers &b);
   };
 } // namespace lumbricus
 

@@ -6,6 +6,7 @@
 #include <lumbricus/linear/linear_solver.h>
 
 #include <string>
+#include <vector>
 
 namespace lumbricus
 {
@@ -43,6 +44,20 @@ namespace lumbricus
     Motion
     softest_motion() const;
 
+    /** The ends of the spectrum of k. */
+    struct Ends
+    {
+      double softest = 0.;          ///< the least positive k; 0 if there is none
+      std::vector<Motion> unstable; ///< those of negative k, of least |k| first
+    };
+
+    /** Find them by Lanczos's method for the inverse of the tangent, of which they
+     * are the two ends, in as many solves as it takes. Motions whose |k| is a
+     * thousand times the least are not among them. Throws ExcNotConverged where
+     * the tangent is singular. Collective. */
+    Ends
+    ends() const;
+
     /** What has become of @p before, which was one of the softest motions for
      * another tangent like this, apart from its part in @p other. Throws
      * ExcNotConverged. Collective. */
@@ -65,6 +80,14 @@ namespace lumbricus
     place(const Motion &motion) const;
 
   private:
+    /** Some force that has no symmetry. */
+    Vector
+    any_force() const;
+
+    /** K^-1 f with the border. */
+    Vector
+    solve(const Vector &f) const;
+
     /** M v, where v . M v = int_wall |v|^2 dV. */
     Vector
     mass(const Vector &v) const;

@@ -3,6 +3,7 @@
 #define lumbricus_measures_cavity_measures_h
 
 #include <lumbricus/discretization/body.h>
+#include <lumbricus/discretization/cell_unknowns.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -32,6 +33,15 @@ namespace lumbricus
    * @p relevant_solution, a ghosted vector [mm^3]. Collective. */
   std::vector<double>
   cavity_volumes(const Body &body, const Vector &relevant_solution);
+
+  /** The derivative of the sum of the volumes of the cavities of @p segments, from
+   * zero, each once, by the free unknowns [mm^2], at @p relevant_solution, a
+   * ghosted vector. Collective. */
+  Vector
+  cavity_volume_derivative(const Body                      &body,
+                           const CellUnknowns              &unknowns,
+                           const std::vector<unsigned int> &segments,
+                           const Vector                    &relevant_solution);
 } // namespace lumbricus
 
 #endif

@@ -3,6 +3,9 @@
 #define lumbricus_measures_section_measures_h
 
 #include <lumbricus/discretization/body.h>
+#include <lumbricus/discretization/cell_unknowns.h>
+
+#include <deal.II/base/tensor.h>
 
 #include <vector>
 
@@ -21,12 +24,22 @@ namespace lumbricus
     double mid_radius;
     double begin; ///< the mean x of that end section towards the head
     double end;   ///< the mean x of the one towards the tail
+    /** From the one to the other, but for what lies in no plane of symmetry. */
+    dealii::Tensor<1, dim> axis;
   };
 
   /** The measures of every segment at @p relevant_solution, a ghosted vector.
    * Collective. */
   std::vector<SectionMeasures>
   section_measures(const Body &body, const Vector &relevant_solution);
+
+  /** The derivative of the sum of the lengths of @p segments, from zero, each
+   * once, by the free unknowns [-], at @p relevant_solution, a ghosted vector. Collective. */
+  Vector
+  length_derivative(const Body                      &body,
+                    const CellUnknowns              &unknowns,
+                    const std::vector<unsigned int> &segments,
+                    const Vector                    &relevant_solution);
 } // namespace lumbricus
 
 #endif

@@ -10,8 +10,10 @@
 #include <deal.II/numerics/data_component_interpretation.h>
 #include <deal.II/numerics/data_out.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <ostream>
 #include <regex>
 #include <tuple>
 
@@ -197,6 +199,38 @@ namespace lumbricus
 
       std::map<std::string, std::string> shown;
     };
+
+
+
+    // The file of a series. Readers sort it by its time steps and show one picture
+    // of each: where the times of the run do not rise, as along a path, the steps
+    // are the numbers of the pictures, and the time, which every picture has too,
+    // is what is called the group.
+    void
+    write_series(const OutputFormat::Pictures &series, std::ostream &out)
+    {
+      const bool rises =
+        std::adjacent_find(series.begin(),
+                           series.end(),
+                           [](const auto &one, const auto &next) {
+                             return one.first >= next.first;
+                           }) == series.end();
+      if (rises)
+        {
+          dealii::DataOutBase::write_pvd_record(out, series);
+          return;
+        }
+      out << "<?xml version=\"1.0\"?>\n"
+             "<VTKFile type=\"Collection\" version=\"0.1\" "
+             "ByteOrder=\"LittleEndian\">\n"
+             "  <Collection>\n";
+      out.precision(12);
+      for (unsigned int i = 0; i < series.size(); ++i)
+        out << "    <DataSet timestep=\"" << i << "\" group=\"t="
+            << series[i].first << "\" part=\"0\" file=\"" << series[i].second
+            << "\"/>\n";
+      out << "  </Collection>\n</VTKFile>\n";
+    }
   } // namespace
 
 
@@ -333,7 +367,7 @@ namespace lumbricus
     });
     folder->write_collectively(
       series_name, rank == 0, [&](std::ostream &out) {
-        dealii::DataOutBase::write_pvd_record(out, times_and_names);
+        write_series(times_and_names, out);
       });
     if (!obstacles.empty())
       write_obstacles(obstacles, rank == 0);
@@ -375,7 +409,7 @@ namespace lumbricus
       });
     folder->write_collectively(
       obstacles_series_name, is_first_rank, [&](std::ostream &out) {
-        dealii::DataOutBase::write_pvd_record(out, series);
+        write_series(series, out);
       });
   }
 

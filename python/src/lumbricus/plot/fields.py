@@ -4,7 +4,6 @@ cells share. pyvista reads them; here is what their nodes are."""
 
 import os
 import pathlib
-import re
 import warnings
 from collections.abc import Mapping
 
@@ -35,14 +34,14 @@ MIRRORED = np.array([1, 0, 3, 2, 5, 4, 7, 6, 8, 11, 10, 9, 12, 15, 14, 13,
 
 def read_series(folder: str | os.PathLike[str], name: str = "solution.pvd"
                 ) -> list[tuple[float, pathlib.Path]]:
-    """(time, file) of all times in a PVD file, in the order of the steps, whose
-    numbers the files have: along a path times may go back, and the reader sorts by
-    them. Those of solution.pvd are PVTU files."""
+    """(time, file) of all times in a PVD file, in the order of the steps. Along a path
+    times may go back: then the steps of the file are numbers, and its groups say the
+    time, as 't=0.5'. Those of solution.pvd are PVTU files."""
     folder = pathlib.Path(folder)
     reader = pyvista.get_reader(str(folder / name))
-    data_sets = sorted(reader.datasets, key=lambda data_set: int(
-        re.findall(r"\d+", pathlib.Path(data_set.path).name)[0]))
-    return [(data_set.time, folder / data_set.path) for data_set in data_sets]
+    return [(float(data_set.group[2:]) if data_set.group.startswith("t=")
+             else data_set.time, folder / data_set.path)
+            for data_set in reader.datasets]
 
 
 def read_grid(pvtu_file: str | os.PathLike[str]) -> pyvista.UnstructuredGrid:
