@@ -12,7 +12,7 @@ namespace lumbricus
    *   A^(-1) = D (D A D)^(-1) D,
    *
    * where D is diagonal, of powers of two, so that the diagonal of D A D is from 1
-   * to 4, or zero. So unknowns of other units or of another stiffness are not taken
+   * to 4, or zero; of matrices whose diagonal is all of a size D is I. So unknowns of other units or of another stiffness are not taken
    * for singular because their pivots are small: those of a trial state of Newton's
    * method may be 1e16 times smaller than others.
    */
