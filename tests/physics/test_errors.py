@@ -170,7 +170,7 @@ def test_no_estimate_where_the_smaller_cells_have_none(tmp_path):
     result = run_well(HERE / "segment.prm", tmp_path, [
         f"{SEGMENT}Liquid=cavity", f"{SEGMENT}Cells along a segment=2",
         "Time/End=0.4", "Output/Errors=1", "Muscles/circular/expression/Formula="
-        "if(x > 0.12, 1 - 0.2*t, sqrt(x - 0.12) + 1)"])
+        "if(x > 0.42, 1 - 0.2*t, sqrt(x - 0.42) + 1)"])
     assert "no estimate of errors" in result.log
     assert all(math.isnan(error) for row in errors(result).values()
                for _, error in row.values())
