@@ -19,6 +19,8 @@ from lumbricus_run import SOURCE, run_well
 SCRIPTS = SOURCE / "scripts"
 sys.path.insert(0, str(SOURCE / "python" / "src"))
 from lumbricus.plot.command import main  # noqa: E402
+from lumbricus.plot.errors import in_per_cent  # noqa: E402
+from lumbricus.plot.run_folder import RunFolder  # noqa: E402
 
 PICTURES = ["picture.png", "kymograph.png", "segments.png",
             "convergence.png"]
@@ -103,6 +105,25 @@ def test_pictures(report):
     assert len({frame.tobytes() for frame in frames}) == FRAMES
     # Paper stays white in the palette that all frames share.
     assert {frame.getpixel((1, 1)) for frame in frames} == {(255, 255, 255)}
+
+
+def test_estimated_errors(tmp_path):
+    """Bars of the largest errors, in the report too; without estimates neither."""
+    run = run_well(SOURCE / "tests" / "physics" / "chain.prm", tmp_path / "run",
+                   ["Output/Every=0", "Output/Errors=1"])
+    assert main([str(run.folder), "--only", "errors", "report"]) == 0
+    assert Image.open(run.folder / "errors.png").size[0] > 500
+    page = (run.folder / "report.html").read_text()
+    assert "Estimated errors" in page and "smaller cells would add" in page
+    drawn = RunFolder(run.folder)
+    rows = run.table("errors.csv")
+    largest = max(abs(row["fluid_pressure"]) for row in rows)
+    assert abs(in_per_cent(drawn, "fluid_pressure")).max() == pytest.approx(
+        100 * max(abs(row["fluid_pressure_error"]) for row in rows) / largest)
+
+    (run.folder / "errors.csv").unlink()
+    assert main([str(run.folder), "--only", "errors", "report"]) == 0
+    assert "Estimated errors" not in (run.folder / "report.html").read_text()
 
 
 def test_report_is_in_one_file(report):

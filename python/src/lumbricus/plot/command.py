@@ -14,6 +14,7 @@ from .animation import animate
 from .arrays import Drawn
 from .convergence import draw_convergence
 from .energy import draw_energy
+from .errors import draw_errors
 from .kymograph import draw_kymograph
 from .panels import draw_picture, draw_thumbnail
 from .report import write_report
@@ -36,6 +37,8 @@ is over or still going on, gets
                    of a run with a contact
   energy.png       the work of muscles, loads and friction, and what is
                    stored; of a run with Output/Energy
+  errors.png       by how much the numbers of segments are off since cells are as
+                   large as they are; of a run with Output/Errors
   segments.png     length, radius, pressure and volume of every segment
   convergence.png  resets, divergence after each, residuals of Newton's method
   report.html      all of these but picture.png in one file, with numbers and
@@ -48,8 +51,8 @@ replaced as a whole, so that whoever reads them never sees half of one.
 Exit code 1 says that the folder is no run, or that something in it is missing.
 """
 WATCH_EVERY = 10  # seconds
-NAMES = ["animation", "scene", "picture", "kymograph", "anchors", "energy", "segments",
-         "convergence", "report"]
+NAMES = ["animation", "scene", "picture", "kymograph", "anchors", "energy", "errors",
+         "segments", "convergence", "report"]
 
 
 def positive(text: str) -> int:
@@ -144,6 +147,12 @@ def make_energy(run: RunFolder, _: argparse.Namespace, out: pathlib.Path) -> Dra
     return name, "Energy", captions.ENERGY
 
 
+def make_errors(run: RunFolder, _: argparse.Namespace, out: pathlib.Path) -> Drawn:
+    name = out / "errors.png"
+    draw_errors(run, name)
+    return name, "Estimated errors", captions.ERRORS
+
+
 def make_segments(run: RunFolder, _: argparse.Namespace, out: pathlib.Path) -> Drawn:
     name = out / "segments.png"
     draw_segments(run, name)
@@ -159,7 +168,7 @@ def make_convergence(run: RunFolder, _: argparse.Namespace, out: pathlib.Path) -
 # In the order of the report.
 OF_THE_REPORT = {"animation": make_animation, "scene": make_scene,
                  "kymograph": make_kymograph,
-                 "anchors": make_anchors, "energy": make_energy,
+                 "anchors": make_anchors, "energy": make_energy, "errors": make_errors,
                  "segments": make_segments, "convergence": make_convergence}
 NEED_FIELDS = {"animation", "picture", "scene"}
 
@@ -178,6 +187,8 @@ def make_all(run: RunFolder, options: argparse.Namespace,
         wanted.discard("anchors")
     if not run.has_work:
         wanted.discard("energy")
+    if run.errors is None:
+        wanted.discard("errors")
     pictures = [make(run, options, out)
                 for name, make in OF_THE_REPORT.items() if name in wanted]
     names = [file.name for file, *_ in pictures]

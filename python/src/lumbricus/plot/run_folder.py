@@ -109,6 +109,7 @@ class RunFolder:
         self.series = self.read_times("solution.pvd")
         self.obstacles = dict(self.read_times("obstacles.pvd"))
         self.contact = self.read_contact()
+        self.errors = self.read_errors()
 
     def read_description(self) -> Json:
         file_name = self.path / DESCRIPTION
@@ -168,6 +169,16 @@ class RunFolder:
         return (self.table("contact.csv", ["t", "segment", "area", "sliding",
                                              "anchored"]),
                 self.table("body.csv", ["t", "stride"]))
+
+    def read_errors(self) -> Columns | None:
+        """errors.csv; None where the run has no estimates, or none yet."""
+        if not (self.path / "errors.csv").exists():
+            return None
+        names = ("length", "mid_radius", "fluid_pressure")
+        table = self.whole_groups(self.table(
+            "errors.csv", ["t", "segment", *names,
+                           *(f"{name}_error" for name in names)]))
+        return table if len(table["t"]) else None
 
     def read_times(self, name: str) -> Series:
         """(time, file) of all times in a PVD file, which need not be there."""
