@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace lumbricus
@@ -66,35 +67,40 @@ namespace lumbricus
   {
     if (step.errors.empty())
       return;
-    const auto  &solve   = step.reports().back()->solves.back();
-    double       largest = 0., pressure = 0., length = 0., radius = 0.;
-    unsigned int segment = 0;
-    for (unsigned int s = 0; s < step.errors.size(); ++s)
-      {
-        const SegmentError &error = step.errors[s];
-        largest =
-          std::max(largest, std::abs(solve.segments[s].mean_pressure()));
-        if (std::abs(error.pressure) > pressure)
-          {
-            pressure = std::abs(error.pressure);
-            segment  = s;
-          }
-        length = std::max(length,
-                          std::abs(error.length / solve.measures[s].length));
-        if (std::isfinite(error.mid_radius))
-          radius = std::max(
-            radius,
-            std::abs(error.mid_radius / solve.measures[s].mid_radius));
-      }
-    if (!std::isfinite(step.errors[0].length))
-      return;
-    std::ostringstream line;
-    line << std::setprecision(2) << "        estimated errors: length "
-         << 100. * length << "%, radius " << 100. * radius << "%";
-    if (largest > 0.)
-      line << ", pressure " << 100. * pressure / largest
-           << "% of the largest (segment " << segment + 1 << ")";
-    log << line.str() << "\n";
+    const auto &solve = step.reports().back()->solves.back();
+    // The largest of all segments that have the number; NaN where none has.
+    const auto largest = [&](const auto &of_segment) {
+      double value = std::numeric_limits<double>::quiet_NaN();
+      for (unsigned int s = 0; s < step.errors.size(); ++s)
+        value = std::fmax(value, std::abs(of_segment(s)));
+      return value;
+    };
+    const double length = largest([&](const unsigned int s) {
+      return step.errors[s].length / solve.measures[s].length;
+    });
+    const double radius = largest([&](const unsigned int s) {
+      return step.errors[s].mid_radius / solve.measures[s].mid_radius;
+    });
+    const double pressure = largest([&](const unsigned int s) {
+      return solve.segments[s].mean_pressure();
+    });
+    const double of_pressure =
+      largest([&](const unsigned int s) { return step.errors[s].pressure; });
+
+    std::ostringstream parts;
+    parts << std::setprecision(2);
+    const auto add = [&](const std::string &name, const double part) {
+      if (std::isfinite(part))
+        parts << (parts.str().empty() ? "" : ", ") << name << " "
+              << 100. * part << "%";
+    };
+    add("length", length);
+    add("radius", radius);
+    if (pressure > 0.)
+      add("pressure", of_pressure / pressure);
+    if (!parts.str().empty())
+      log << "        estimated errors, the largest of all segments: "
+          << parts.str() << "\n";
   }
 
 

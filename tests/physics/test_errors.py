@@ -6,6 +6,7 @@ on adapted meshes, and change nothing else."""
 import csv
 import math
 import pathlib
+import re
 
 import pytest
 from lumbricus_run import SOURCE, restart, run, run_well
@@ -53,6 +54,8 @@ def test_sphere(tmp_path, cells, volume):
         "Cavities/Content=volume", "Output/Errors=4",
         f"Cavities/volume/Relative volume=1 + {volume - 1}*t",
         "Time/First step=0.25", "Time/Largest step=0.25"])
+    # A sphere has no length.
+    assert re.search(r"the largest of all segments: pressure [\d.e-]+%\n", result.log)
     (value, error), = [row["fluid_pressure"] for row in errors(result).values()]
     true = pressure_of_sphere(volume, 1, 1, 1) - value
     print(cells, volume, error / value, true / value, error / true)
