@@ -2,6 +2,7 @@
 #include "finer_model.h"
 
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/linear/bordered_system.h>
 
 #include <iostream>
 #include <string>
@@ -11,13 +12,53 @@ namespace lumbricus
 {
   namespace
   {
-    // What systems of the run's own mesh are solved to, so that an estimate is
-    // the same on any number of ranks.
-    constexpr double tolerance_of_corrections = 1e-9;
+    // Systems of the run's own mesh are solved to the square of this, so that an
+    // estimate is the same on any number of ranks: twice, since one solve with more
+    // iterations than the solver allows would make it give up what it is.
+    constexpr double tolerance_of_corrections = 3e-5;
 
     // Of the system of the small cells: with more than these an estimate becomes
     // hardly better.
     constexpr unsigned int n_iterations = 4;
+
+
+
+    // Solve with the tangent of a model and its border.
+    void
+    solve_on(ChainModel                &model,
+             Vector                    &x,
+             std::vector<double>       &g,
+             const Vector              &b,
+             const std::vector<double> &c)
+    {
+      const Border         &border = model.equilibrium.linearised_border();
+      const BorderedTangent system(model.assembler.tangent(), border);
+      const BorderedVector  right = bordered_vector(b, c);
+      BorderedVector        left = right, sum = right, product = right;
+      sum = 0.;
+      for (unsigned int k = 0; k < 2; ++k)
+        {
+          Vector              dx = left.block(0);
+          std::vector<double> dg;
+          if (border.size() == 0)
+            model.linear_solver.solve(dx,
+                                      left.block(0),
+                                      tolerance_of_corrections);
+          else
+            model.linear_solver.solve(dx,
+                                      dg,
+                                      left.block(0),
+                                      globals_of(left),
+                                      border,
+                                      tolerance_of_corrections);
+          sum += bordered_vector(dx, dg);
+          system.vmult(product, sum);
+          left = right;
+          left -= product;
+        }
+      x = sum.block(0);
+      g = globals_of(sum);
+    }
   } // namespace
 
 
@@ -32,17 +73,10 @@ namespace lumbricus
                  std::vector<double>       &g,
                  const Vector              &b,
                  const std::vector<double> &c) {
-          const Border &border = model.equilibrium.linearised_border();
-          if (border.size() == 0)
-            model.linear_solver.solve(x, b, tolerance_of_corrections);
-          else
-            model.linear_solver.solve(x, g, b, c, border, tolerance_of_corrections);
+          solve_on(model, x, g, b, c);
         },
         n_iterations)
-    , finer(model.parameters,
-            solver,
-            timer,
-            model.space.communicator())
+    , finer(model.parameters, solver, timer, model.space.communicator())
   {
     finer.triangulation.copy_triangulation(model.triangulation);
     finer.triangulation.refine_global(1);

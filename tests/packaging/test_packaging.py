@@ -56,6 +56,10 @@ def test_one_version(clone, tmp_path):
     assert done.returncode == 0, done.stderr
     assert f'version("{VERSION}"' in read("packaging/spack/packages/lumbricus/package.py")
     assert f"lumbricus@{VERSION}" in read("doc/install.md")
+    # Packages of one minor version go together: cmake/package.cmake.
+    minor = VERSION.rpartition(".")[0]
+    for name in ("examples/own_parts/CMakeLists.txt", "doc/extending.md"):
+        assert f"find_package(Lumbricus {minor} REQUIRED)" in read(name), name
 
 
 @pytest.mark.parametrize("file", ["CITATION.cff", "codemeta.json",
