@@ -90,7 +90,7 @@ def test_a_run_is_watched_to_its_end(end, words, tmp_path):
     steps = [steps_in(report) for report in reader.reports]
     assert sorted(set(steps[:3])) == steps[:3]
     last = (out / "report.html").read_text()
-    assert words in last
+    assert words in last, (re.findall(r"The run [^.]*[.]", last), said, run.returncode)
     if end == signal.SIGKILL:
         assert "was killed" in said
     assert RELOAD not in last

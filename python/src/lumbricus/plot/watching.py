@@ -43,13 +43,17 @@ def is_locked(folder: pathlib.Path) -> bool:
 def state_of(folder: pathlib.Path) -> str:
     """As in run.json, "killed" where nobody is left who would write it anew, and
     "none" before a run has begun."""
-    # The lock comes first and goes last.
-    locked = is_locked(folder)
-    try:
-        state = str(read_description(folder)["status"]["state"])
-    except (OSError, ValueError, KeyError, TypeError):
-        return "none"
-    return "killed" if state == "running" and not locked else state
+    # The lock comes first and goes last. That it is gone counts when it is seen twice.
+    for pause in (LOOK_EVERY, 0.):
+        locked = is_locked(folder)
+        try:
+            state = str(read_description(folder)["status"]["state"])
+        except (OSError, ValueError, KeyError, TypeError):
+            return "none"
+        if state != "running" or locked:
+            return state
+        time.sleep(pause)
+    return "killed"
 
 
 def signature(folder: pathlib.Path) -> list[tuple[int, int] | None]:
