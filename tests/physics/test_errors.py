@@ -137,7 +137,7 @@ def worst(found, other):
 def test_ranks_and_restart(tmp_path, name):
     """The same on 1, 2 and 4 ranks and after a restart; and without estimates all
     else is the same."""
-    settings = ["Time/End=0.3", "Output/Errors=3", "Checkpoints/Steps=4",
+    settings = ["Time/End=0.15", "Output/Errors=3", "Checkpoints/Steps=2",
                 *TO_THE_END]
     one, *others = [main_job(tmp_path / str(ranks), name, settings, ranks)
                     for ranks in (1, 2, 4)]
@@ -152,8 +152,8 @@ def test_ranks_and_restart(tmp_path, name):
         for value in NAMES:
             assert row[value] == pytest.approx(other[value], rel=1e-9)
 
-    half = main_job(tmp_path / "half", name, [*settings, "Time/End=0.2"], 2)
-    again = restart(half.folder, ["Time/End=0.3"], 1)
+    half = main_job(tmp_path / "half", name, [*settings, "Time/End=0.1"], 2)
+    again = restart(half.folder, ["Time/End=0.15"], 1)
     assert again.exit_code == 0, again.log + again.message
     print(worst(errors(one), errors(again)))
     assert worst(errors(one), errors(again)) < 1e-9
