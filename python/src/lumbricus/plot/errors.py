@@ -9,10 +9,7 @@ import numpy as np
 
 from .arrays import Array
 from .figures import INCHES, save
-from .run_folder import RunFolder
-
-QUANTITIES = {"length": "length", "mid_radius": "radius",
-              "fluid_pressure": "pressure"}
+from .run_folder import ESTIMATED, RunFolder
 
 
 def in_per_cent(run: RunFolder, name: str) -> Array:
@@ -30,7 +27,7 @@ def draw_errors(run: RunFolder, file_name: pathlib.Path) -> None:
     figure, grid = plt.subplots(1, 3, figsize=(INCHES, 2.6), sharex=True,
                                 layout="constrained")
     numbers = run.segment_numbers
-    for axes, (name, title) in zip(grid, QUANTITIES.items()):
+    for axes, (name, title) in zip(grid, ESTIMATED.items()):
         errors = in_per_cent(run, name)
         for earlier in errors[:-1]:
             axes.plot(numbers, earlier, ".", color="0.6", markersize=3)

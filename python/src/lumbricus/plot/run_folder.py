@@ -18,6 +18,9 @@ from .captions import no_formula
 from .fields import read_grid, read_series
 from .tables import DESCRIPTION, read_description, read_table, values_of
 
+# What errors.csv has of each segment, with its title.
+ESTIMATED = {"length": "length", "mid_radius": "radius", "fluid_pressure": "pressure"}
+
 
 class PlotError(Exception):
     """What is wrong with the folder, and what to do: one sentence."""
@@ -174,10 +177,9 @@ class RunFolder:
         """errors.csv; None where the run has no estimates, or none yet."""
         if not (self.path / "errors.csv").exists():
             return None
-        names = ("length", "mid_radius", "fluid_pressure")
         table = self.whole_groups(self.table(
-            "errors.csv", ["t", "segment", *names,
-                           *(f"{name}_error" for name in names)]))
+            "errors.csv", ["t", "segment", *ESTIMATED,
+                           *(f"{name}_error" for name in ESTIMATED)]))
         return table if len(table["t"]) else None
 
     def read_times(self, name: str) -> Series:
