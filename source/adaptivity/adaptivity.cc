@@ -104,6 +104,8 @@ namespace lumbricus
   Adaptivity::initialize(const Anatomy &anatomy, const unsigned int least_level)
   {
     levels.initialize(anatomy, least_level);
+    within_section("Adaptivity",
+                   [&]() { estimator_choice.get()->initialize(anatomy); });
   }
 
 
@@ -156,11 +158,11 @@ namespace lumbricus
                        const IsSlipInterface &is_slip_interface,
                        const ParallelMesh    &triangulation) const
   {
-    std::vector<double> eta_squared(triangulation.n_active_cells());
+    std::vector<double> contributions(triangulation.n_active_cells());
     unsigned int        i = 0;
     for (const auto &cell : triangulation.active_cell_iterators() |
                               dealii::IteratorFilters::LocallyOwnedCell())
-      eta_squared[cell->active_cell_index()] = estimate.eta_squared[i++];
+      contributions[cell->active_cell_index()] = estimate.contributions[i++];
 
     // Each is found at its first child; p4est keeps families on one rank.
     std::vector<Family> result;
@@ -175,7 +177,7 @@ namespace lumbricus
           {
             all = all && may_be_merged(child, is_slip_interface);
             if (all)
-              family.eta_squared += eta_squared[child->active_cell_index()];
+              family.contribution += contributions[child->active_cell_index()];
           }
         if (all)
           result.push_back(family);
@@ -201,12 +203,12 @@ namespace lumbricus
     unsigned int        i = 0;
     for (const auto &cell : owned)
       {
-        const double eta_squared = estimate.eta_squared[i++];
+        const double contribution = estimate.contributions[i++];
         if (may_be_refined(cell))
-          of_cells.push_back(eta_squared);
+          of_cells.push_back(contribution);
       }
     for (const Family &family : families_here)
-      of_families.push_back(family.eta_squared);
+      of_families.push_back(family.contribution);
     of_cells    = gather(of_cells, comm);
     of_families = gather(of_families, comm);
     std::sort(of_cells.begin(), of_cells.end(), std::greater<double>());
@@ -230,7 +232,7 @@ namespace lumbricus
       {
         const bool too_fine =
           level(family.parent) >= levels.finest(tissue(family.parent));
-        if (!too_fine && family.eta_squared > merged_upto)
+        if (!too_fine && family.contribution > merged_upto)
           continue;
         for (const auto &child : family.parent->child_iterators())
           child->set_coarsen_flag();
@@ -239,9 +241,9 @@ namespace lumbricus
     i = 0;
     for (const auto &cell : owned)
       {
-        const double eta_squared = estimate.eta_squared[i++];
+        const double contribution = estimate.contributions[i++];
         if (level(cell) >= levels.coarsest(tissue(cell)) &&
-            (!may_be_refined(cell) || eta_squared < refined_from))
+            (!may_be_refined(cell) || contribution < refined_from))
           continue;
         cell->clear_coarsen_flag();
         cell->set_refine_flag();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/adaptivity/error_estimator.h>
+#include <lumbricus/adaptivity/jump_estimator.h>
 #include <lumbricus/parameters/registry.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -11,7 +11,7 @@ namespace lumbricus
    * J. Numer. Meth. Eng. 19, 1983), weighted by stiffness. It jumps where
    * tissues meet, by what the pressure carries there.
    */
-  class DisplacementJump : public ErrorEstimator
+  class DisplacementJump : public JumpEstimator
   {
   public:
     dealii::Tensor<2, dim>

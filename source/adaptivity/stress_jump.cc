@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/adaptivity/error_estimator.h>
+#include <lumbricus/adaptivity/jump_estimator.h>
 #include <lumbricus/parameters/registry.h>
 
 namespace lumbricus
 {
   /** G = P: what jumps is the traction P N, out of balance at a face. */
-  class StressJump : public ErrorEstimator
+  class StressJump : public JumpEstimator
   {
   public:
     dealii::Tensor<2, dim>

@@ -31,10 +31,15 @@ namespace lumbricus
     derivative(const ChainModel &model,
                const Vector     &relevant_solution) const override
     {
-      return length_derivative(model.body,
-                               model.assembler.tangent().unknowns,
-                               segments(),
-                               relevant_solution);
+      const unsigned int  n = model.body.anatomy.geometry().n_segments();
+      std::vector<double> of_lengths(n, 0.);
+      for (const unsigned int s : segments())
+        of_lengths[s] = 1.;
+      return section_derivative(model.body,
+                                model.assembler.tangent().unknowns,
+                                of_lengths,
+                                std::vector<double>(n, 0.),
+                                relevant_solution);
     }
 
   protected:

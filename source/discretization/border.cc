@@ -67,4 +67,17 @@ namespace lumbricus
       }
     return globals;
   }
+
+
+
+  Border
+  transposed(const Border &border)
+  {
+    Border turned  = border;
+    turned.columns = border.rows;
+    turned.rows    = border.columns;
+    if (!border.corner.empty())
+      turned.corner.copy_transposed(border.corner);
+    return turned;
+  }
 } // namespace lumbricus

@@ -8,6 +8,7 @@
 #include <deal.II/grid/cell_id.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lumbricus
 {
@@ -247,5 +248,30 @@ namespace lumbricus
     for (unsigned int i = 0; i < large.shapes.n_owned_cells(); ++i)
       large_unknowns.add(i, &of_large[n_per_cell * i], y);
     y.compress(dealii::VectorOperation::add);
+  }
+
+
+
+  std::vector<double>
+  CutCells::products(const Vector &x, const Vector &y) const
+  {
+    std::vector<double> of_families(n_families, 0.);
+    x.update_ghost_values();
+    y.update_ghost_values();
+    for (unsigned int i = 0; i < members.size(); ++i)
+      for (unsigned int k = 0; k < n_per_cell; ++k)
+        if (!small_unknowns.is_constrained(i, k))
+          {
+            const unsigned int place = small_unknowns.places(i)[k];
+            of_families[members[i].family] += shares.local_element(place) *
+                                              x.local_element(place) *
+                                              y.local_element(place);
+          }
+    x.zero_out_ghost_values();
+    y.zero_out_ghost_values();
+    auto of_large = to_large(of_families, 1);
+    for (double &sum : of_large)
+      sum = std::abs(sum);
+    return of_large;
   }
 } // namespace lumbricus

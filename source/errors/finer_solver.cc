@@ -148,4 +148,33 @@ namespace lumbricus
     x = solution.block(0);
     g = globals_of(solution);
   }
+
+
+
+  std::vector<double>
+  FinerSolver::contributions(const Vector              &b,
+                             const Vector              &j,
+                             const std::vector<double> &of_globals,
+                             const Border              &border,
+                             const OnLargeCells        &dual_on_large_cells) const
+  {
+    Vector              on_large, z, on_small;
+    std::vector<double> z_of_globals;
+    cells->restrict_to(on_large, j);
+    z.reinit(on_large);
+    dual_on_large_cells(z, z_of_globals, on_large, of_globals);
+    cells->prolongate(on_small, z);
+
+    const Border          turned = transposed(border);
+    const BorderedTangent system(*tangent, turned);
+    BorderedVector        residual = bordered_vector(j, of_globals);
+    BorderedVector        product  = residual;
+    system.vmult(product, bordered_vector(on_small, z_of_globals));
+    residual -= product;
+
+    Vector y;
+    tangent->unknowns.reinit_vector(y);
+    enrichment->correct(y, residual.block(0));
+    return cells->products(b, y);
+  }
 } // namespace lumbricus

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 
 namespace lumbricus
 {
@@ -21,15 +20,6 @@ namespace lumbricus
   namespace
   {
     using Point = dealii::Tensor<1, dim>;
-
-    // Where the nodes of a cell are.
-    struct Nodes
-    {
-      std::array<Point, MixedSpace::n_nodes> X; // at rest
-      std::array<Point, MixedSpace::n_nodes> x;
-    };
-
-
 
     // 1/2 int x X dx along the parabola through three points, of which the
     // second is halfway.
@@ -49,47 +39,28 @@ namespace lumbricus
         }
       return area;
     }
-
-
-
-    // That beside the edge of a face, or the line through its middle, which lies
-    // in the plane X = middle, if there is one, with the wall's normal N at rest.
-    Point
-    area_beside(const Nodes                     &nodes,
-                const std::vector<unsigned int> &on_face,
-                const double                     middle,
-                const double                     tolerance,
-                const Point                     &N)
-    {
-      // Vertices come first, then the middles of lines, then those of faces.
-      std::vector<unsigned int> edge;
-      for (const unsigned int n : on_face)
-        if (std::abs(nodes.X[n][0] - middle) < tolerance)
-          edge.push_back(n);
-      if (edge.size() != 3)
-        return Point();
-      const auto [a, b, m] = std::tie(edge[0], edge[1], edge[2]);
-      const Point towards_tail({1., 0., 0.});
-      const bool  forwards =
-        dealii::cross_product_3d(towards_tail, -N) *
-          (nodes.X[b] - nodes.X[a]) >
-        0.;
-      return (forwards ? 1. : -1.) *
-             area_beside(nodes.x[a], nodes.x[m], nodes.x[b]);
-    }
   } // namespace
 
 
 
-  std::vector<dealii::Tensor<1, dim>>
-  cavity_sections(const Body &body, const Vector &relevant_solution)
+  dealii::Tensor<1, dim>
+  SectionLine::area() const
+  {
+    return (forwards ? 1. : -1.) * area_beside(x[0], x[1], x[2]);
+  }
+
+
+
+  void
+  for_each_section_line(const Body                     &body,
+                        const Vector                   &relevant_solution,
+                        const AtSectionLine &f)
   {
     const Geometry    &geometry = body.anatomy.geometry();
     const auto         walls    = geometry.cavities();
-    const CavityFaces  cavities(geometry);
-    std::vector<Point> areas(cavities.size());
-    if (areas.empty())
-      return areas;
+    if (walls.empty())
+      return;
+    const CavityFaces cavities(geometry);
     const MixedSpace &space     = body.space;
     const auto        sections  = geometry.sections();
     const double      tolerance = 1e-9 * geometry.characteristic_length();
@@ -105,27 +76,55 @@ namespace lumbricus
       // An edge has a face on either side; a line through a face has one.
       if (cell.iterator->face(face)->center()[0] > middle + tolerance)
         return;
-      kernel.read(space, cell.iterator, relevant_solution, indices);
-      Nodes                     nodes;
-      std::vector<unsigned int> on_face;
+      // The edge of the face, or the line through its middle, which lies in the
+      // plane X = middle. Vertices come first, then the middles of lines, then
+      // those of faces.
+      std::vector<unsigned int> nodes;
       for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-        {
-          nodes.X[n] = body.shapes.node(cell.index, n);
-          for (unsigned int c = 0; c < dim; ++c)
-            nodes.x[n][c] = nodes.X[n][c] + kernel.u[c][n];
-          if (space.fe.has_support_on_face(space.displacement_dof[0][n], face))
-            on_face.push_back(n);
-        }
+        if (space.fe.has_support_on_face(space.displacement_dof[0][n], face) &&
+            std::abs(body.shapes.node(cell.index, n)[0] - middle) < tolerance)
+          nodes.push_back(n);
+      if (nodes.size() != 3)
+        return;
+      kernel.read(space, cell.iterator, relevant_solution, indices);
+      SectionLine line;
+      line.nodes = {{nodes[0], nodes[2], nodes[1]}};
+      for (unsigned int i = 0; i < line.nodes.size(); ++i)
+        for (unsigned int c = 0; c < dim; ++c)
+          line.x[i][c] = body.shapes.node(cell.index, line.nodes[i])[c] +
+                         kernel.u[c][line.nodes[i]];
       surface.reinit(cell.iterator, face);
       surface.set(surface.n_points() / 2, at_rest);
-      areas[k] += area_beside(nodes, on_face, middle, tolerance, surface.N);
+      const Point towards_tail({1., 0., 0.});
+      line.forwards = dealii::cross_product_3d(towards_tail, -surface.N) *
+                        (body.shapes.node(cell.index, nodes[1]) -
+                         body.shapes.node(cell.index, nodes[0])) >
+                      0.;
+      f(cell, k, line);
     });
+  }
+
+
+
+  std::vector<dealii::Tensor<1, dim>>
+  cavity_sections(const Body &body, const Vector &relevant_solution)
+  {
+    std::vector<Point> areas(body.anatomy.geometry().cavities().size());
+    if (areas.empty())
+      return areas;
+    for_each_section_line(body,
+                          relevant_solution,
+                          [&areas](const OwnedCell & /*cell*/,
+                                   const unsigned int k,
+                                   const SectionLine &line) {
+                            areas[k] += line.area();
+                          });
 
     std::vector<double> flat;
     for (const Point &area : areas)
       for (unsigned int c = 0; c < dim; ++c)
         flat.push_back(area[c]);
-    dealii::Utilities::MPI::sum(flat, space.communicator(), flat);
+    dealii::Utilities::MPI::sum(flat, body.space.communicator(), flat);
     for (unsigned int k = 0; k < areas.size(); ++k)
       for (unsigned int c = 0; c < dim; ++c)
         areas[k][c] = flat[dim * k + c];

@@ -5,6 +5,7 @@
 #include <lumbricus/measures/segment_state.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lumbricus
@@ -113,5 +114,72 @@ namespace lumbricus
         state.abs_pressure  = std::abs(state.pressure);
       }
     return states;
+  }
+
+
+
+  std::pair<Vector, Globals>
+  pressure_derivative(const Body                &body,
+                      const CellUnknowns        &unknowns,
+                      const ReferenceField      &references,
+                      const std::vector<double> &of_pressures,
+                      const Vector              &relevant_solution,
+                      const Globals             &globals)
+  {
+    constexpr unsigned int n_modes = MixedSpace::n_pressure_modes;
+    const MixedSpace      &space   = body.space;
+    const ShapeCache      &shapes  = body.shapes;
+    const Geometry        &geometry = body.anatomy.geometry();
+    const auto             states =
+      segment_states(body, references, relevant_solution, globals);
+    const double whole = geometry.symmetry_factor();
+
+    std::pair<Vector, Globals> derivative;
+    unknowns.reinit_vector(derivative.first);
+    ElementKernel    kernel;
+    MaterialResponse response;
+    std::vector<dealii::types::global_dof_index> indices(
+      space.fe.n_dofs_per_cell());
+    for (const OwnedCell cell : body.owned_cells())
+      {
+        const unsigned int s = cell.region.segment;
+        if (!cell.is_liquid || of_pressures[s] == 0.)
+          continue;
+        const ShapeCache::Cell shape = shapes.cell(cell.index);
+        kernel.read(space, cell.iterator, relevant_solution, indices);
+        kernel.compute_deformation(shape);
+        std::array<double, CellUnknowns::n_per_cell> of_cell = {};
+        for (unsigned int q = 0; q < MixedSpace::n_q_points; ++q)
+          {
+            const double *const modes = shapes.pressure_modes();
+            // Stress is linear in p.
+            double p[2];
+            for (unsigned int more = 0; more < 2; ++more)
+              {
+                cell.tissue.evaluate(kernel.F[q],
+                                     kernel.pressure(modes, q) + more,
+                                     references.cell(cell.index)[q],
+                                     false,
+                                     response);
+                p[more] = -trace(cauchy_stress(response.P, kernel.F[q])) / dim;
+              }
+            const double factor = of_pressures[s] * (p[1] - p[0]) * whole *
+                                  determinant(kernel.F[q]) * shape.JxW[q] /
+                                  states[s].liquid_volume;
+            for (unsigned int m = 0; m < n_modes; ++m)
+              of_cell[CellUnknowns::pressure(m)] +=
+                factor * modes[n_modes * q + m];
+          }
+        unknowns.add(cell.index, of_cell.data(), derivative.first);
+      }
+    derivative.first.compress(dealii::VectorOperation::add);
+
+    for (const auto &[name, values] : globals)
+      derivative.second[name].assign(values.size(), 0.);
+    const auto cavities = geometry.cavities();
+    for (unsigned int k = 0; k < cavities.size(); ++k)
+      derivative.second.at(cavity_pressure)[k] =
+        of_pressures[cavities[k].segment];
+    return derivative;
   }
 } // namespace lumbricus

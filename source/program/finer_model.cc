@@ -3,6 +3,8 @@
 
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/linear/bordered_system.h>
+#include <lumbricus/measures/section_measures.h>
+#include <lumbricus/measures/segment_state.h>
 
 #include <iostream>
 #include <string>
@@ -23,15 +25,15 @@ namespace lumbricus
 
 
 
-    // Solve with the tangent of a model and its border.
+    // Solve with the tangent of a model and a border.
     void
     solve_on(ChainModel                &model,
+             const Border              &border,
              Vector                    &x,
              std::vector<double>       &g,
              const Vector              &b,
              const std::vector<double> &c)
     {
-      const Border         &border = model.equilibrium.linearised_border();
       const BorderedTangent system(model.assembler.tangent(), border);
       const BorderedVector  right = bordered_vector(b, c);
       BorderedVector        left = right, sum = right, product = right;
@@ -63,7 +65,7 @@ namespace lumbricus
 
 
 
-  FinerModel::FinerModel(ChainModel &model)
+  FinerModel::FinerModel(ChainModel &model, const Shape shape)
     : model(model)
     , timer(std::cout,
             dealii::TimerOutput::never,
@@ -73,7 +75,8 @@ namespace lumbricus
                  std::vector<double>       &g,
                  const Vector              &b,
                  const std::vector<double> &c) {
-          solve_on(model, x, g, b, c);
+          solve_on(
+            model, model.equilibrium.linearised_border(), x, g, b, c);
         },
         n_iterations)
     , finer(model.parameters, solver, timer, model.space.communicator())
@@ -81,7 +84,8 @@ namespace lumbricus
     finer.triangulation.copy_triangulation(model.triangulation);
     finer.triangulation.refine_global(1);
     finer.space.set_finest_curved_level(
-      model.parameters.mesh_refinement.n_global_refinements() + 1);
+      model.parameters.mesh_refinement.n_global_refinements() +
+      (shape == Shape::true_one ? 1 : 0));
     finer.number_unknowns();
     finer.reinit();
     cells = std::make_unique<CutCells>(model.body,
@@ -97,8 +101,9 @@ namespace lumbricus
   FinerModel::measure(const State &state)
   {
     model.linearise_at(state);
-    State on_finer = finer.space.zero_state(state.outline());
-    cells->prolongate(state, on_finer);
+    prolongated = finer.space.zero_state(state.outline());
+    cells->prolongate(state, prolongated);
+    State on_finer = prolongated;
     finer.linearise_at(on_finer);
     const auto residual =
       finer.equilibrium.residual({on_finer.solution, on_finer.globals});
@@ -114,5 +119,43 @@ namespace lumbricus
       for (unsigned int k = 0; k < values.size(); ++k)
         on_finer.globals.at(name)[k] += values[k];
     return finer.measure(on_finer);
+  }
+
+
+
+  std::vector<double>
+  FinerModel::contributions(const std::vector<SegmentError> &f)
+  {
+    std::vector<double> of_lengths, of_radii, of_pressures;
+    for (const SegmentError &of_segment : f)
+      {
+        of_lengths.push_back(of_segment.length);
+        of_radii.push_back(of_segment.mid_radius);
+        of_pressures.push_back(of_segment.pressure);
+      }
+    const CellUnknowns &unknowns = finer.assembler.tangent().unknowns;
+    const Vector   solution = finer.space.with_ghosts(prolongated.solution);
+    auto           j        = pressure_derivative(finer.body,
+                                 unknowns,
+                                 finer.references,
+                                 of_pressures,
+                                 solution,
+                                 prolongated.globals);
+    j.first += section_derivative(
+      finer.body, unknowns, of_lengths, of_radii, solution);
+
+    const Border &border = finer.equilibrium.linearised_border();
+    const Border  turned = transposed(model.equilibrium.linearised_border());
+    return solver.contributions(
+      finer.equilibrium.right_hand_side(),
+      j.first,
+      border.read(j.second),
+      border,
+      [&](Vector                    &x,
+          std::vector<double>       &g,
+          const Vector              &b,
+          const std::vector<double> &c) {
+        solve_on(model, turned, x, g, b, c);
+      });
   }
 } // namespace lumbricus

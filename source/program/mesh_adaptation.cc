@@ -14,6 +14,8 @@
 #include <sstream>
 #include <vector>
 
+#include "estimated_model.h"
+
 namespace lumbricus
 {
   namespace
@@ -102,19 +104,14 @@ namespace lumbricus
 
     // Estimate the error of a state and mark cells.
     void
-    mark(ChainModel &model, const State &state, AdaptationRecord &record)
+    mark(ChainModel                  &model,
+         const State                 &state,
+         const ResetIteration::Solve &solve,
+         AdaptationRecord            &record)
     {
-      const Adaptivity &adaptivity = model.parameters.adaptivity;
-      CellFields        fields(model.body,
-                        model.references,
-                        model.liquid_weight,
-                        model.parameters.boundary_conditions,
-                        model.parameters.output_parts.field_arrays(
-                          fields_for_estimate()));
-      fields.reinit();
-      fields.update(state);
-      const ErrorEstimate estimate =
-        estimate_errors(adaptivity.estimator(), fields);
+      const Adaptivity   &adaptivity = model.parameters.adaptivity;
+      EstimatedModel      estimated(model, state, solve);
+      const ErrorEstimate estimate = adaptivity.estimator().estimate(estimated);
       record.estimated_error = estimate.relative;
       record.any             = adaptivity.mark(estimate,
                                    model.space.dof_handler.n_dofs(),
@@ -158,7 +155,7 @@ namespace lumbricus
     AdaptationRecord    record;
     {
       dealii::TimerOutput::Scope scope(model.timer, "error estimate");
-      mark(model, state, record);
+      mark(model, state, last, record);
     }
     if (record.any)
       {

@@ -2,7 +2,7 @@
 #ifndef lumbricus_adaptivity_adaptivity_h
 #define lumbricus_adaptivity_adaptivity_h
 
-#include <lumbricus/adaptivity/error_estimate.h>
+#include <lumbricus/adaptivity/error_estimator.h>
 #include <lumbricus/adaptivity/marking_rule.h>
 #include <lumbricus/adaptivity/mesh_refinement.h>
 #include <lumbricus/adaptivity/refinement_levels.h>
@@ -58,11 +58,11 @@ namespace lumbricus
   private:
     using Cell = ParallelMesh::cell_iterator;
 
-    /** Eight cells that may be merged to one, and the sum of their eta_K^2. */
+    /** Eight cells that may be merged to one, and what they add to the error. */
     struct Family
     {
       Cell   parent;
-      double eta_squared;
+      double contribution;
     };
 
     bool

@@ -66,6 +66,13 @@ namespace lumbricus
 
 
 
+  /** [K B; C D] with C^T in place of B, B^T of C and D^T of D; nothing else that a
+   * border has changes. */
+  Border
+  transposed(const Border &border);
+
+
+
   /** Whoever borders equilibrium. All functions are collective. */
   class BorderSource
   {

@@ -42,6 +42,12 @@ namespace lumbricus
     void
     restrict_to(Vector &y, const Vector &x) const;
 
+    /** For each owned large cell |sum| of products of the entries of @p x and @p y,
+     * free unknowns of the small cells, inside of it: of those of several cells in
+     * equal shares. Collective. */
+    std::vector<double>
+    products(const Vector &x, const Vector &y) const;
+
     /** The number, on this rank, of the eight that small cell @p i is one of. */
     unsigned int
     family(const unsigned int i) const

@@ -54,6 +54,25 @@ namespace lumbricus
           const Border              &border,
           const double               tolerance) override;
 
+    /**
+     * Where the error of a number comes from: of each owned large cell
+     * |sum_i b_i y_i| over what is inside of it,
+     *
+     *   y = E A^(-1) E^T (j - K^T P z),   K_large^T z = P^T j,
+     *
+     * with the right-hand side @p b of solve(), after that, and the derivatives
+     * @p j and @p of_globals of the number. The functions of large cells do not
+     * matter, on which b is zero. The tangent itself takes the place of K^T, of
+     * @p border what it is transposed. @p dual_on_large_cells solves with both there.
+     * Collective.
+     */
+    std::vector<double>
+    contributions(const Vector              &b,
+                  const Vector              &j,
+                  const std::vector<double> &of_globals,
+                  const Border              &border,
+                  const OnLargeCells        &dual_on_large_cells) const;
+
   private:
     /** What residuals of the free unknowns are multiplied with. Collective. */
     Vector

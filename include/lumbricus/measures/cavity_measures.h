@@ -7,6 +7,8 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,35 @@ namespace lumbricus
   /** What State::globals calls the pressures of the chambers without cells, in
    * the order of Geometry::cavities() [N/mm^2]. */
   extern const std::string cavity_pressure;
+
+  /** A piece of the curve in which the section in the middle of a segment meets the
+   * wall around a cavity: a line of three nodes of a cell, the second halfway. */
+  struct SectionLine
+  {
+    /** Which of the cell's nodes. */
+    std::array<unsigned int, 3> nodes;
+    /** Where they are now [mm]. */
+    std::array<dealii::Tensor<1, dim>, 3> x;
+    /** Whether they go around the axis as a screw does that goes to the tail. */
+    bool forwards;
+
+    /** Its part of the area vector of the section, 1/2 int x X dx [mm^2]. */
+    dealii::Tensor<1, dim>
+    area() const;
+  };
+
+
+
+  /** What is called with an owned cell, the number of the cavity, and a line. */
+  using AtSectionLine = std::function<
+    void(const OwnedCell &, const unsigned int, const SectionLine &)>;
+
+  /** Call @p f for all lines of this rank, at @p relevant_solution, a ghosted
+   * vector. */
+  void
+  for_each_section_line(const Body          &body,
+                        const Vector        &relevant_solution,
+                        const AtSectionLine &f);
 
   /**
    * For every cavity the area vector of its section in the middle of its segment,

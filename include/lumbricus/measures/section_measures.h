@@ -33,13 +33,20 @@ namespace lumbricus
   std::vector<SectionMeasures>
   section_measures(const Body &body, const Vector &relevant_solution);
 
-  /** The derivative of the sum of the lengths of @p segments, from zero, each
-   * once, by the free unknowns [-], at @p relevant_solution, a ghosted vector. Collective. */
+  /**
+   * The derivative of
+   *
+   *   sum_s of_lengths_s length_s + of_radii_s mid_radius_s
+   *
+   * by the free unknowns, at @p relevant_solution, a ghosted vector, with two
+   * factors for each segment. Where that is 0 the measure need not exist. Collective.
+   */
   Vector
-  length_derivative(const Body                      &body,
-                    const CellUnknowns              &unknowns,
-                    const std::vector<unsigned int> &segments,
-                    const Vector                    &relevant_solution);
+  section_derivative(const Body                &body,
+                     const CellUnknowns        &unknowns,
+                     const std::vector<double> &of_lengths,
+                     const std::vector<double> &of_radii,
+                     const Vector              &relevant_solution);
 } // namespace lumbricus
 
 #endif

@@ -2,8 +2,10 @@
 #ifndef lumbricus_measures_segment_state_h
 #define lumbricus_measures_segment_state_h
 
+#include <lumbricus/discretization/cell_unknowns.h>
 #include <lumbricus/discretization/reference_field.h>
 
+#include <utility>
 #include <vector>
 
 namespace lumbricus
@@ -41,6 +43,19 @@ namespace lumbricus
                  const ReferenceField &references,
                  const Vector         &relevant_solution,
                  const Globals        &globals);
+
+  /**
+   * The derivative of sum_s of_pressures_s mean_pressure_s, with a factor for each
+   * segment, by the free unknowns and by the global ones, where the liquid is
+   * hydrostatic: then it does not hang on displacements. Collective.
+   */
+  std::pair<Vector, Globals>
+  pressure_derivative(const Body                &body,
+                      const CellUnknowns        &unknowns,
+                      const ReferenceField      &references,
+                      const std::vector<double> &of_pressures,
+                      const Vector              &relevant_solution,
+                      const Globals             &globals);
 } // namespace lumbricus
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/adaptivity/error_estimate.h>
+#include <lumbricus/adaptivity/jump_estimator.h>
 #include <lumbricus/discretization/same_cell.h>
 
 #include <deal.II/fe/fe.h>
@@ -32,7 +32,7 @@ namespace lumbricus
     class FluxOnCell
     {
     public:
-      FluxOnCell(const ErrorEstimator &estimator, const CellFields &fields)
+      FluxOnCell(const JumpEstimator &estimator, const CellFields &fields)
         : estimator(estimator)
         , fields(fields)
         , fe(fields.dof_handler().get_fe())
@@ -82,7 +82,7 @@ namespace lumbricus
           indices[fe.component_to_system_index(component, node)]);
       }
 
-      const ErrorEstimator             &estimator;
+      const JumpEstimator              &estimator;
       const CellFields                 &fields;
       const dealii::FiniteElement<dim> &fe;
 
@@ -204,22 +204,16 @@ namespace lumbricus
 
 
 
-  std::vector<std::string>
-  fields_for_estimate()
-  {
-    return {displacement_name, stress_name};
-  }
-
-
-
   ErrorEstimate
-  estimate_errors(const ErrorEstimator &estimator, const CellFields &fields)
+  JumpEstimator::estimate(EstimatedState &state) const
   {
+    const CellFields         &fields =
+      state.fields({displacement_name, stress_name});
     const MixedSpace         &space = fields.body.space;
     const dealii::FE_DGQ<dim> scalar(MixedSpace::degree);
-    const FluxOnCell          flux(estimator, fields);
+    const FluxOnCell          flux_on_cell(*this, fields);
 
-    const bool between_tissues = estimator.continuous_between_tissues();
+    const bool between_tissues = continuous_between_tissues();
 
     const auto face_term = [&](const CellIterator &cell,
                                const unsigned int  face,
@@ -259,7 +253,7 @@ namespace lumbricus
         for (const auto &[cell, term] : result.terms)
           of_active_cell[cell->active_cell_index()] += term;
       },
-      Scratch(space, scalar, flux),
+      Scratch(space, scalar, flux_on_cell),
       FaceTerms(),
       dealii::MeshWorker::assemble_own_interior_faces_once |
         dealii::MeshWorker::assemble_ghost_faces_both,
@@ -275,12 +269,12 @@ namespace lumbricus
                          FaceTerms &)>(face_term));
 
     ErrorEstimate estimate;
-    double        sums[2] = {0., norm_square(flux, space, scalar)};
+    double        sums[2] = {0., norm_square(flux_on_cell, space, scalar)};
     for (const auto &cell : space.owned_cells())
       {
-        estimate.eta_squared.push_back(
+        estimate.contributions.push_back(
           of_active_cell[cell->active_cell_index()]);
-        sums[0] += estimate.eta_squared.back();
+        sums[0] += estimate.contributions.back();
       }
     dealii::Utilities::MPI::sum(sums, space.communicator(), sums);
     estimate.relative = sums[1] > 0. ? std::sqrt(sums[0] / sums[1]) : 0.;
