@@ -285,13 +285,13 @@ namespace lumbricus
 
 
 
-  void
+  bool
   Equilibrium::linearise(const Unknowns &x)
   {
     throw_if_interrupted(body.space.communicator());
     dealii::TimerOutput::Scope scope(timer, "assembly");
     take_loads(x);
-    assembler.linearise(x.solution, time);
+    const bool valid = assembler.linearise(x.solution, time).valid();
     if (surface_terms.may_slide())
       {
         linearised.push_back(x.solution);
@@ -300,12 +300,13 @@ namespace lumbricus
       }
     border = Border();
     if (!is_bordered())
-      return;
+      return valid;
     rhs = assembler.right_hand_side();
     rhs *= -1.;
     border = border_at(x, &assembler.tangent(), rhs);
     rhs *= -1.;
     append_load(x, true, border);
+    return valid;
   }
 
 
@@ -324,16 +325,11 @@ namespace lumbricus
     dealii::TimerOutput::Scope scope(timer, "linear solver");
     const Vector &b = right_hand_side();
     dx.solution.reinit(b, true);
-    if (!is_bordered())
-      linear_solver.solve(dx.solution, b, tolerance);
-    else
-      {
-        std::vector<double> dg, c = border.residual;
-        for (double &entry : c)
-          entry *= -1.;
-        linear_solver.solve(dx.solution, dg, b, c, border, tolerance);
-        dx.globals = border.write(dg);
-      }
+    std::vector<double> dg, c = border.residual;
+    for (double &entry : c)
+      entry *= -1.;
+    linear_solver.solve(dx.solution, dg, b, c, border, tolerance);
+    dx.globals = border.write(dg);
     constrain(dx.solution);
   }
 

@@ -237,14 +237,9 @@ namespace lumbricus
   {
     Vector v;
     tangent.unknowns.reinit_vector(v);
-    if (border.size() == 0)
-      linear_solver.solve(v, f, solve_tolerance);
-    else
-      {
-        std::vector<double>       of_globals;
-        const std::vector<double> none(border.size(), 0.);
-        linear_solver.solve(v, of_globals, f, none, border, solve_tolerance);
-      }
+    std::vector<double>       of_globals;
+    const std::vector<double> none(border.size(), 0.);
+    linear_solver.solve(v, of_globals, f, none, border, solve_tolerance);
     return v;
   }
 

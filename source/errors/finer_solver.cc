@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <lumbricus/core/exceptions.h>
 #include <lumbricus/errors/finer_solver.h>
 #include <lumbricus/linear/bordered_system.h>
 #include <lumbricus/linear/flexible_gmres.h>
@@ -85,19 +86,21 @@ namespace lumbricus
   FinerSolver::solve(Vector &x, const Vector &b, const double tolerance)
   {
     std::vector<double> g;
-    solve(x, g, b, {}, Border(), tolerance);
+    solve_bordered(x, g, b, {}, Border(), tolerance);
   }
 
 
 
   void
-  FinerSolver::solve(Vector                    &x,
-                     std::vector<double>       &g,
-                     const Vector              &b,
-                     const std::vector<double> &c,
-                     const Border              &border,
-                     const double               tolerance)
+  FinerSolver::solve_bordered(Vector                    &x,
+                              std::vector<double>       &g,
+                              const Vector              &b,
+                              const std::vector<double> &c,
+                              const Border              &border,
+                              const double               tolerance)
   {
+    AssertThrow(std::isfinite(bordered_vector(b, c).l2_norm()),
+                ExcNotConverged("The residual on a finer mesh is not finite"));
     enrichment->factor();
 
     double largest = 0., volume = 0.;

@@ -25,6 +25,8 @@ namespace lumbricus
       factors.reset();
     }
 
+    using LinearSolver::solve;
+
     void
     solve(Vector &x, const Vector &b, const double tolerance) override
     {
@@ -32,13 +34,14 @@ namespace lumbricus
       refine(*tangent, *factors, x, b, tolerance);
     }
 
+  protected:
     void
-    solve(Vector                    &x,
-          std::vector<double>       &g,
-          const Vector              &b,
-          const std::vector<double> &c,
-          const Border              &border,
-          const double               tolerance) override
+    solve_bordered(Vector                    &x,
+                   std::vector<double>       &g,
+                   const Vector              &b,
+                   const std::vector<double> &c,
+                   const Border              &border,
+                   const double               tolerance) override
     {
       factor();
       const BorderedVector all_b = bordered_vector(b, c);

@@ -96,12 +96,12 @@ namespace lumbricus
 
 
   void
-  KeptPreconditioner::solve(Vector                    &x,
-                            std::vector<double>       &g,
-                            const Vector              &b,
-                            const std::vector<double> &c,
-                            const Border              &border,
-                            const double               wanted_tolerance)
+  KeptPreconditioner::solve_bordered(Vector                    &x,
+                                     std::vector<double>       &g,
+                                     const Vector              &b,
+                                     const std::vector<double> &c,
+                                     const Border              &border,
+                                     const double wanted_tolerance)
   {
     const double tolerance = std::min(wanted_tolerance, least_accuracy);
     const BorderedVector  all_b = bordered_vector(b, c);

@@ -156,11 +156,23 @@ namespace lumbricus
 
 
   bool
+  OutputParts::asks_for_errors() const
+  {
+    const auto wanted = tables();
+    return std::any_of(wanted.begin(), wanted.end(), [](const auto &entry) {
+      return entry.second->steps_between_errors() > 0;
+    });
+  }
+
+
+
+  bool
   OutputParts::asks_for_errors(const unsigned int number) const
   {
     const auto wanted = tables();
     return std::any_of(wanted.begin(), wanted.end(), [&](const auto &entry) {
-      return entry.second->asks_for_errors(number);
+      const unsigned int every = entry.second->steps_between_errors();
+      return every > 0 && number % every == 0;
     });
   }
 

@@ -164,12 +164,20 @@ namespace lumbricus
 
 
   void
-  ChainModel::set_to(const State &state, const LoadTime &t)
+  ChainModel::set_parts_to(const State &state, const LoadTime &t)
   {
     references.update(state, t);
     surface_terms.set_to(state);
     cavities.set_to(state);
     liquid_weight.set_time(t);
+  }
+
+
+
+  void
+  ChainModel::set_to(const State &state, const LoadTime &t)
+  {
+    set_parts_to(state, t);
     equilibrium.set_time(t, state.solution);
     equilibrium.start_from(state.solution);
   }
@@ -196,10 +204,7 @@ namespace lumbricus
   ResetIteration::Report
   ChainModel::solve(State &state, const LoadTime &t, const Vector &guess)
   {
-    references.update(state, t);
-    surface_terms.set_to(state);
-    cavities.set_to(state);
-    liquid_weight.set_time(t);
+    set_parts_to(state, t);
     parameters.try_loads(triangulation, {t.to()});
     equilibrium.set_time(t, guess);
     const Vector start = state.solution;
@@ -336,14 +341,18 @@ namespace lumbricus
 
 
 
-  void
+  bool
   ChainModel::linearise_at(const State &state)
   {
+    const Unknowns x{state.solution, state.globals};
     set_to(state);
     const bool flows = parameters.reset_iteration.lets_flow(reset_model);
     references.let_liquid_flow(flows);
-    equilibrium.linearise({state.solution, state.globals});
+    if (surface_terms.may_slide())
+      equilibrium.residual(x);
+    const bool valid = equilibrium.linearise(x);
     references.let_liquid_flow(false);
+    return valid;
   }
 
 

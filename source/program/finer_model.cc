@@ -42,17 +42,12 @@ namespace lumbricus
         {
           Vector              dx = left.block(0);
           std::vector<double> dg;
-          if (border.size() == 0)
-            model.linear_solver.solve(dx,
-                                      left.block(0),
-                                      tolerance_of_corrections);
-          else
-            model.linear_solver.solve(dx,
-                                      dg,
-                                      left.block(0),
-                                      globals_of(left),
-                                      border,
-                                      tolerance_of_corrections);
+          model.linear_solver.solve(dx,
+                                    dg,
+                                    left.block(0),
+                                    globals_of(left),
+                                    border,
+                                    tolerance_of_corrections);
           sum += bordered_vector(dx, dg);
           system.vmult(product, sum);
           left = right;
@@ -104,10 +99,7 @@ namespace lumbricus
     prolongated = finer.space.zero_state(state.outline());
     cells->prolongate(state, prolongated);
     State on_finer = prolongated;
-    finer.linearise_at(on_finer);
-    const auto residual =
-      finer.equilibrium.residual({on_finer.solution, on_finer.globals});
-    AssertThrow(residual.valid,
+    AssertThrow(finer.linearise_at(on_finer),
                 ExcNotConverged("On a finer mesh " +
                                 finer.equilibrium.locate_trouble(
                                   {on_finer.solution, on_finer.globals})));

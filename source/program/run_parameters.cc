@@ -106,7 +106,7 @@ namespace lumbricus
     cavity_contents.initialize();
     output_parts.initialize(anatomy, boundary_conditions);
     continuation.get()->initialize(*this);
-    if (output_parts.asks_for_errors(0))
+    if (output_parts.asks_for_errors())
       {
         AssertThrow(!interface_coupling.slips(),
                     ExcParameter("Output/Errors",

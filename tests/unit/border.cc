@@ -231,6 +231,22 @@ end
 
 
 
+  TEST_F(BorderedTangent, IsTheTangentWhereTheBorderHasNoUnknowns)
+  {
+    const auto solver = Registry<LinearSolver>::create("direct");
+    solver->reinit(tangent());
+    Vector              x(b), alone(b);
+    std::vector<double> g(1, 1.);
+    solver->solve(x, g, b, {}, Border(), 1e-12);
+    solver->solve(alone, b, 1e-12);
+    EXPECT_TRUE(g.empty());
+    EXPECT_GT(x.l2_norm(), 0.);
+    alone -= x;
+    EXPECT_EQ(alone.l2_norm(), 0.);
+  }
+
+
+
   TEST_F(BorderedTangent, IsSolvedWithoutARightHandSideOfTheBody)
   {
     b = 0.;

@@ -143,6 +143,16 @@ end
 
 
 
+  TEST_F(Errors, LinearisingSaysWhereACellIsFolded)
+  {
+    State state = specimen.state;
+    EXPECT_TRUE(large.linearise_at(state));
+    state.solution = specimen.random(10., 1);
+    EXPECT_FALSE(large.linearise_at(state));
+  }
+
+
+
   TEST_F(Errors, TheEnrichmentInvertsItsOwnMatrix)
   {
     // But for the penalty beside the bulk modulus, which is softer by far here.

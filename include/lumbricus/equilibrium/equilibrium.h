@@ -103,7 +103,7 @@ namespace lumbricus
     Residual
     residual(const Unknowns &x) override;
 
-    void
+    bool
     linearise(const Unknowns &x) override;
 
     void

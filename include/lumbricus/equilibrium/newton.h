@@ -52,8 +52,9 @@ namespace lumbricus
     virtual Residual
     residual(const Unknowns &x) = 0;
 
-    /** Compute the tangent and the right-hand side at x. */
-    virtual void
+    /** Compute the tangent and the right-hand side at x.
+     * @return whether they exist there, as Residual::valid. */
+    virtual bool
     linearise(const Unknowns &x) = 0;
 
     /** Compute the increment dx at which the linearised residual is

@@ -43,16 +43,20 @@ namespace lumbricus
     void
     reinit(const Tangent &new_tangent) override;
 
+    using LinearSolver::solve;
+
+    /** Throws ExcNotConverged where @p b is not finite. */
     void
     solve(Vector &x, const Vector &b, const double tolerance) override;
 
+  protected:
     void
-    solve(Vector                    &x,
-          std::vector<double>       &g,
-          const Vector              &b,
-          const std::vector<double> &c,
-          const Border              &border,
-          const double               tolerance) override;
+    solve_bordered(Vector                    &x,
+                   std::vector<double>       &g,
+                   const Vector              &b,
+                   const std::vector<double> &c,
+                   const Border              &border,
+                   const double               tolerance) override;
 
     /**
      * Where the error of a number comes from: of each owned large cell

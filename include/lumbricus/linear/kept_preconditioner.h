@@ -37,21 +37,23 @@ namespace lumbricus
     void
     reinit(const Tangent &tangent) override;
 
-    void
-    solve(Vector &x, const Vector &b, const double wanted_tolerance) override;
+    using LinearSolver::solve;
 
     void
-    solve(Vector                    &x,
-          std::vector<double>       &g,
-          const Vector              &b,
-          const std::vector<double> &c,
-          const Border              &border,
-          const double               wanted_tolerance) override;
+    solve(Vector &x, const Vector &b, const double wanted_tolerance) override;
 
     KeptPreconditioner();
     ~KeptPreconditioner() override;
 
   protected:
+    void
+    solve_bordered(Vector                    &x,
+                   std::vector<double>       &g,
+                   const Vector              &b,
+                   const std::vector<double> &c,
+                   const Border              &border,
+                   const double               wanted_tolerance) override;
+
     /** The inverse of kind @p kind for the pattern of @p tangent: the fastest
      * is 0, each one more is more robust; without an inverse where there is
      * none left. Collective. */

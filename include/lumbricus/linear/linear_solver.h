@@ -55,15 +55,25 @@ namespace lumbricus
      * The same with @p border around the tangent, for the right-hand sides b
      * and c, to a residual of all rows together that is small beside these or
      * beside a term of B g. Throws ExcNotConverged also where the border does
-     * not determine its unknowns.
+     * not determine its unknowns. With a border that has none it is the tangent
+     * alone, and @p g is empty.
      */
-    virtual void
+    void
     solve(Vector                    &x,
           std::vector<double>       &g,
           const Vector              &b,
           const std::vector<double> &c,
           const Border              &border,
-          const double               tolerance) = 0;
+          const double               tolerance)
+    {
+      if (border.size() > 0)
+        {
+          solve_bordered(x, g, b, c, border, tolerance);
+          return;
+        }
+      solve(x, b, tolerance);
+      g.clear();
+    }
 
     /** What the solver did since it was made. */
     const LinearSolverStatistics &
@@ -80,6 +90,15 @@ namespace lumbricus
     }
 
   protected:
+    /** Solve with a border that has unknowns. */
+    virtual void
+    solve_bordered(Vector                    &x,
+                   std::vector<double>       &g,
+                   const Vector              &b,
+                   const std::vector<double> &c,
+                   const Border              &border,
+                   const double               tolerance) = 0;
+
     /** Let the user know @p message. */
     void
     tell(const std::string &message)

@@ -56,8 +56,11 @@ namespace lumbricus
     bool
     asks_for_work() const;
 
-    /** Whether a table that is wanted asks for estimates of errors after step
-     * @p number. */
+    /** Whether any of these tables needs StepRecord::errors. */
+    bool
+    asks_for_errors() const;
+
+    /** Whether one does so after step @p number. */
     bool
     asks_for_errors(const unsigned int number) const;
 

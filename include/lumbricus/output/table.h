@@ -50,12 +50,12 @@ namespace lumbricus
       return false;
     }
 
-    /** Whether write() reads StepRecord::errors after step @p number, which are not
-     * estimated otherwise. */
-    virtual bool
-    asks_for_errors(const unsigned int /*number*/) const
+    /** After how many steps write() reads StepRecord::errors again, which are not
+     * estimated otherwise; 0 for never. */
+    virtual unsigned int
+    steps_between_errors() const
     {
-      return false;
+      return 0;
     }
 
     /** The names of its columns. */

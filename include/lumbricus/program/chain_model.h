@@ -118,8 +118,9 @@ namespace lumbricus
     relax_liquid_mesh(State &state);
 
     /** Linearise at @p state, as Newton's method does: where a liquid flows
-     * there, it does so here. Collective. */
-    void
+     * there, it does so here, and points that stick make the tangent what it is.
+     * @return whether no cell is folded. Collective. */
+    bool
     linearise_at(const State &state);
 
     /** What @p state is like, with set_to() or solve() there before. Collective. */
@@ -156,6 +157,10 @@ namespace lumbricus
     Equilibrium    equilibrium;   ///< all that Newton's method sees
 
   private:
+    // All that knows of a state and a time but equilibrium.
+    void
+    set_parts_to(const State &state, const LoadTime &t);
+
     // The forces at a state, whose work is that along a displacement.
     std::vector<ExternalForce>
     forces_on_body(const StateWithMaps &at, const Vector *way);

@@ -30,10 +30,10 @@ namespace lumbricus
       return every > 0;
     }
 
-    bool
-    asks_for_errors(const unsigned int number) const override
+    unsigned int
+    steps_between_errors() const override
     {
-      return every > 0 && number % every == 0;
+      return every;
     }
 
     std::vector<std::string>
