@@ -40,24 +40,6 @@ namespace lumbricus
     void
     set_cells(const Body &small, const CutCells &new_cells);
 
-    void
-    reinit(const Tangent &new_tangent) override;
-
-    using LinearSolver::solve;
-
-    /** Throws ExcNotConverged where @p b is not finite. */
-    void
-    solve(Vector &x, const Vector &b, const double tolerance) override;
-
-  protected:
-    void
-    solve_bordered(Vector                    &x,
-                   std::vector<double>       &g,
-                   const Vector              &b,
-                   const std::vector<double> &c,
-                   const Border              &border,
-                   const double               tolerance) override;
-
     /**
      * Where the error of a number comes from: of each owned large cell
      * |sum_i b_i y_i| over what is inside of it,
@@ -76,6 +58,24 @@ namespace lumbricus
                   const std::vector<double> &of_globals,
                   const Border              &border,
                   const OnLargeCells        &dual_on_large_cells) const;
+
+    void
+    reinit(const Tangent &new_tangent) override;
+
+    using LinearSolver::solve;
+
+    /** Throws ExcNotConverged where @p b is not finite. */
+    void
+    solve(Vector &x, const Vector &b, const double tolerance) override;
+
+  protected:
+    void
+    solve_bordered(Vector                    &x,
+                   std::vector<double>       &g,
+                   const Vector              &b,
+                   const std::vector<double> &c,
+                   const Border              &border,
+                   const double               tolerance) override;
 
   private:
     /** What residuals of the free unknowns are multiplied with. Collective. */
