@@ -126,6 +126,68 @@ namespace lumbricus
 
 
   void
+  CellLinearisation::add_missing_stiffness(
+    const unsigned int q,
+    const double       JxW,
+    double (&stiffness)[dim * dim][dim * dim]) const
+  {
+    dealii::Tensor<2, dim> Q_JxW;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int J = 0; J < dim; ++J)
+        Q_JxW[i][J] = Q[dim * i + J][q];
+    // det Q = J^2
+    const double J = std::sqrt(determinant(Q_JxW) / (JxW * JxW * JxW));
+    add_shear_stiffness(mu_missing / (J * JxW), Q_JxW, stiffness);
+  }
+
+
+
+  void
+  CellLinearisation::diagonal(const ShapeCache::Cell &cell,
+                              const double           *pressure_modes,
+                              double                 *d) const
+  {
+    alignas(64) double of_nodes[dim][padded] = {};
+    double             of_modes[n_modes]     = {};
+    for (unsigned int q = 0; q < n_q; ++q)
+      {
+        const double *g0 = cell.gradients + dim * q * padded;
+        const double *g1 = g0 + padded;
+        const double *g2 = g1 + padded;
+
+        double extra[dim * dim][dim * dim] = {};
+        if (mu_missing > 0.)
+          add_missing_stiffness(q, cell.JxW[q], extra);
+        for (unsigned int i = 0; i < dim; ++i)
+          {
+            const auto a = [&](const unsigned int J, const unsigned int L) {
+              const unsigned int iJ = dim * i + J, iL = dim * i + L;
+              return A[pair(iJ, iL)][q] + extra[iJ][iL];
+            };
+            const double a00 = a(0, 0), a11 = a(1, 1), a22 = a(2, 2);
+            const double a01 = 2. * a(0, 1), a02 = 2. * a(0, 2),
+                         a12 = 2. * a(1, 2);
+            for (unsigned int n = 0; n < padded; ++n)
+              of_nodes[i][n] +=
+                g0[n] * (a00 * g0[n] + a01 * g1[n] + a02 * g2[n]) +
+                g1[n] * (a11 * g1[n] + a12 * g2[n]) + a22 * g2[n] * g2[n];
+          }
+        for (unsigned int m = 0; m < n_modes; ++m)
+          {
+            const double psi = pressure_modes[n_modes * q + m];
+            of_modes[m] += dc_dp[q] * psi * psi;
+          }
+      }
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        d[CellUnknowns::displacement(i, n)] = of_nodes[i][n];
+    for (unsigned int m = 0; m < n_modes; ++m)
+      d[CellUnknowns::pressure(m)] = of_modes[m];
+  }
+
+
+
+  void
   CellLinearisation::matrix(const ShapeCache::Cell &cell,
                             const double           *pressure_modes,
                             const bool              for_preconditioner,
@@ -146,16 +208,7 @@ namespace lumbricus
 
         double extra[dim * dim][dim * dim] = {};
         if (for_preconditioner && mu_missing > 0.)
-          {
-            dealii::Tensor<2, dim> Q_JxW;
-            for (unsigned int i = 0; i < dim; ++i)
-              for (unsigned int J = 0; J < dim; ++J)
-                Q_JxW[i][J] = Q[dim * i + J][q];
-            // det Q = J^2
-            const double JxW = cell.JxW[q];
-            const double J   = std::sqrt(determinant(Q_JxW) / (JxW * JxW * JxW));
-            add_shear_stiffness(mu_missing / (J * JxW), Q_JxW, extra);
-          }
+          add_missing_stiffness(q, cell.JxW[q], extra);
 
         // H(i,k)[3 q + J][m] = A_iJkL dN_m/dX_L JxW
         for (unsigned int i = 0; i < dim; ++i)

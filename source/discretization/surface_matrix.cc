@@ -54,6 +54,16 @@ namespace lumbricus
 
 
   void
+  SurfaceMatrix::add_diagonal_to(double *d) const
+  {
+    pack();
+    for (unsigned int k = 0; k < places.size(); ++k)
+      d[places[k]] += packed[k * (places.size() + 1)];
+  }
+
+
+
+  void
   SurfaceMatrix::pack() const
   {
     if (all.empty())

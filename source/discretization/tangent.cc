@@ -87,6 +87,18 @@ namespace lumbricus
 
 
 
+  std::array<double, Tangent::n_per_cell>
+  Tangent::diagonal(const unsigned int i) const
+  {
+    std::array<double, n_per_cell> d;
+    cells[i].diagonal(shapes.cell(i), shapes.pressure_modes(), d.data());
+    if (of_surface_cell[i] >= 0)
+      surface_matrices[of_surface_cell[i]].add_diagonal_to(d.data());
+    return d;
+  }
+
+
+
   std::array<double,
              MixedSpace::n_pressure_modes * MixedSpace::n_pressure_modes>
   Tangent::pressure_mass(const unsigned int i) const

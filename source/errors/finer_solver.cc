@@ -60,19 +60,15 @@ namespace lumbricus
     constexpr unsigned int n_modes = MixedSpace::n_pressure_modes;
     Vector                 factors;
     tangent->unknowns.reinit_vector(factors);
-    std::vector<double> K;
     for (unsigned int i = 0; i < tangent->unknowns.n_cells(); ++i)
       {
-        tangent->cell_matrix(i, K);
+        auto       d    = tangent->diagonal(i);
         const auto mass = tangent->pressure_mass(i);
         for (unsigned int m = 0; m < n_modes; ++m)
-          {
-            const unsigned int k = CellUnknowns::pressure(m);
-            K[k * n + k]         = mass[m * n_modes + m] / tangent->shear_modulus[i];
-          }
+          d[CellUnknowns::pressure(m)] =
+            mass[m * n_modes + m] / tangent->shear_modulus[i];
         for (unsigned int k = 0; k < n; ++k)
-          factors.local_element(tangent->unknowns.places(i)[k]) +=
-            std::abs(K[k * n + k]);
+          factors.local_element(tangent->unknowns.places(i)[k]) += std::abs(d[k]);
       }
     factors.compress(dealii::VectorOperation::add);
     for (unsigned int k = 0; k < factors.locally_owned_size(); ++k)

@@ -49,6 +49,13 @@ namespace lumbricus
            const bool              for_preconditioner,
            std::vector<double>    &K) const;
 
+    /** Set @p d to the diagonal of matrix() for preconditioners, in the order of
+     * CellUnknowns. */
+    void
+    diagonal(const ShapeCache::Cell &cell,
+             const double           *pressure_modes,
+             double                 *d) const;
+
   private:
     static constexpr unsigned int n_q      = MixedSpace::n_q_points;
     static constexpr unsigned int padded_q = 32;
@@ -60,6 +67,13 @@ namespace lumbricus
     {
       return a * dim * dim - a * (a + 1) / 2 + b;
     }
+
+    /** Add to @p stiffness, dP_iJ / dF_kL by rows, what liquid that flows lacks
+     * for a preconditioner at point @p q with the volume @p JxW. */
+    void
+    add_missing_stiffness(const unsigned int q,
+                          const double       JxW,
+                          double (&stiffness)[dim * dim][dim * dim]) const;
 
     alignas(64) double A[n_pairs][padded_q]   = {};
     alignas(64) double Q[dim * dim][padded_q] = {};

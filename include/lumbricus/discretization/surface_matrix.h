@@ -29,6 +29,10 @@ namespace lumbricus
     void
     add_to(std::vector<double> &K) const;
 
+    /** d += the diagonal of S. */
+    void
+    add_diagonal_to(double *d) const;
+
   private:
     /** Leave out the zeros. */
     void

@@ -54,6 +54,10 @@ namespace lumbricus
     void
     exact_cell_matrix(const unsigned int i, std::vector<double> &K) const;
 
+    /** The diagonal of cell_matrix(). */
+    std::array<double, n_per_cell>
+    diagonal(const unsigned int i) const;
+
     /** M_nm = int psi_n psi_m dV of owned cell @p i, by rows. */
     std::array<double,
                MixedSpace::n_pressure_modes * MixedSpace::n_pressure_modes>

@@ -4,11 +4,9 @@
 
 #include <lumbricus/discretization/tangent.h>
 #include <lumbricus/errors/cut_cells.h>
+#include <lumbricus/errors/family_functions.h>
 #include <lumbricus/linear/free_numbering.h>
 #include <lumbricus/linear/mumps.h>
-
-#include <deal.II/base/geometry_info.h>
-#include <deal.II/lac/full_matrix.h>
 
 #include <array>
 #include <memory>
@@ -49,43 +47,21 @@ namespace lumbricus
     correct(Vector &x, const Vector &r) const;
 
   private:
-    static constexpr unsigned int n_children =
-      dealii::GeometryInfo<dim>::max_children_per_cell;
-    static constexpr unsigned int n_lines         = 9; ///< in one direction
-    static constexpr unsigned int n_displacements = dim * n_lines * 2 * dim;
-    static constexpr unsigned int n_pressures     = dim * (dim + 1) / 2;
-
-    /** An entry of E, which makes unknowns of a child of these functions. */
-    struct Entry
-    {
-      unsigned int row;    ///< unknown of the child
-      unsigned int column; ///< function
-      double       weight; ///< its value there
-    };
-
     /** The eight children of a large cell. */
     struct Family
     {
       /** Numbers of the owned small cells. */
-      std::array<unsigned int, n_children> children;
+      std::array<unsigned int, FamilyFunctions::n_children> children;
       /** Of each displacement the place of the node where it is 1; none where it
        * is left out. */
-      std::array<unsigned int, n_displacements> places;
-      /** C^(-1) B and C^(-1) of the family's matrix [A B^T; B C]. */
-      dealii::FullMatrix<double> of_displacements, of_pressures;
+      std::array<unsigned int, FamilyFunctions::n_displacements> places;
+      /** Of the pressures from its matrix. */
+      FamilyFunctions::Elimination elimination;
     };
-
-    /** Where each displacement is 1: a child and its unknown. */
-    using Nodes =
-      std::array<std::pair<unsigned int, unsigned int>, n_displacements>;
-
-    /** Make E of all children. */
-    Nodes
-    embed();
 
     /** Number the displacements. Collective. */
     void
-    number(const Nodes &nodes, const CutCells &cells);
+    number(const CutCells &cells);
 
     /** The matrix [A B^T; B C] of a family, by rows. */
     std::vector<double>
@@ -94,11 +70,11 @@ namespace lumbricus
     const Body     body;
     const Tangent &tangent;
 
-    std::array<std::vector<Entry>, n_children> displacement, pressure; ///< E
-    std::vector<Family>                        families;
-    Vector                                     shares; ///< among solid cells
-    FreeNumbering                              numbering;
-    std::unique_ptr<Mumps<double>>             mumps;
+    const FamilyFunctions          functions;
+    std::vector<Family>            families;
+    Vector                         shares; ///< among solid cells
+    FreeNumbering                  numbering;
+    std::unique_ptr<Mumps<double>> mumps;
   };
 } // namespace lumbricus
 
