@@ -4,8 +4,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/types.h>
 
-#include <cmath>
 #include <map>
+#include <utility>
 
 namespace lumbricus
 {
@@ -62,43 +62,48 @@ namespace lumbricus
       share = share > 0. ? 1. / share : 0.;
     shares.update_ghost_values();
 
-    // Nodes that hanging ones follow: the functions would go on beyond the family.
-    Vector leads;
-    unknowns.reinit_vector(leads);
-    for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
-      for (unsigned int k = 0; k < n_cell; ++k)
-        if (unknowns.is_constrained(i, k))
-          for (const auto &[place, weight] : unknowns.row(i, k))
-            leads.local_element(place) += std::abs(weight);
-    leads.compress(dealii::VectorOperation::add);
-    leads.update_ghost_values();
-
-    Vector used;
+    const HangingFunctions hanging(body, unknowns, cells, functions);
+    Vector                 used, used_by_hanging;
     unknowns.reinit_vector(used);
+    used_by_hanging = used;
     for (Family &family : families)
-      for (unsigned int k = 0; k < n_displacements; ++k)
-        {
-          const auto &[child, unknown] = functions.nodes()[k];
-          const unsigned int cell      = family.children[child];
-          const unsigned int place     = unknowns.places(cell)[unknown];
-          family.places[k] = unknowns.is_constrained(cell, unknown) ||
-                                 leads.local_element(place) > 0. ?
-                               none :
-                               place;
-          if (family.places[k] != none)
-            used.local_element(family.places[k]) = 1.;
-        }
+      {
+        family.places.assign(n, none);
+        for (unsigned int k = 0; k < n_displacements; ++k)
+          {
+            const auto &[child, unknown] = functions.nodes()[k];
+            const unsigned int cell      = family.children[child];
+            const unsigned int place     = unknowns.places(cell)[unknown];
+            if (unknowns.is_constrained(cell, unknown) || hanging.leads(place))
+              continue;
+            family.places[k]          = place;
+            used.local_element(place) = 1.;
+          }
+        auto of_family = hanging.of_family(family.children);
+        family.hanging = std::move(of_family.entries);
+        for (const unsigned int place : of_family.places)
+          {
+            family.places.push_back(place);
+            used_by_hanging.local_element(place) = 1.;
+          }
+      }
     used.compress(dealii::VectorOperation::add);
+    used_by_hanging.compress(dealii::VectorOperation::add);
+    for (unsigned int i = 0; i < used_by_hanging.locally_owned_size(); ++i)
+      if (used_by_hanging.local_element(i) > 0.)
+        of_hanging.push_back(i);
+    used += used_by_hanging;
     numbering.reinit(used, comm);
   }
 
 
 
-  std::vector<double>
+  dealii::FullMatrix<double>
   Enrichment::matrix(const Family &family) const
   {
-    constexpr unsigned int n_modes = MixedSpace::n_pressure_modes;
-    std::vector<double>    K, all(n * n, 0.);
+    constexpr unsigned int     n_modes = MixedSpace::n_pressure_modes;
+    dealii::FullMatrix<double> all(family.places.size());
+    std::vector<double>        K;
     for (unsigned int c = 0; c < FamilyFunctions::n_children; ++c)
       {
         tangent.exact_cell_matrix(family.children[c], K);
@@ -111,8 +116,43 @@ namespace lumbricus
             K[CellUnknowns::pressure(k) * n_cell + CellUnknowns::pressure(l)] -=
               mass[k * n_modes + l] / bulk;
         functions.add_matrix(c, K, all);
+        if (!family.hanging.empty())
+          add_hanging(family, c, K, all);
       }
     return all;
+  }
+
+
+
+  void
+  Enrichment::add_hanging(const Family               &family,
+                          const unsigned int          child,
+                          const std::vector<double>  &K,
+                          dealii::FullMatrix<double> &all) const
+  {
+    // With X of hanging functions: K X by columns, X^T K by rows.
+    const unsigned int  n_hanging = family.places.size() - n;
+    std::vector<double> KX(n_hanging * n_cell, 0.), XTK(n_hanging * n_cell, 0.);
+    for (const HangingFunctions::Entry &X : family.hanging)
+      for (unsigned int k = 0; k < n_cell && X.child == child; ++k)
+        {
+          KX[X.column * n_cell + k] += X.weight * K[k * n_cell + X.row];
+          XTK[X.column * n_cell + k] += X.weight * K[X.row * n_cell + k];
+        }
+    for (const HangingFunctions::Entry &X : family.hanging)
+      for (unsigned int s = 0; s < n_hanging && X.child == child; ++s)
+        all(n + X.column, n + s) += X.weight * KX[s * n_cell + X.row];
+    for (unsigned int s = 0; s < n_hanging; ++s)
+      {
+        double column[n] = {}, row[n] = {};
+        functions.add_transposed(child, &KX[s * n_cell], column);
+        functions.add_transposed(child, &XTK[s * n_cell], row);
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            all(k, n + s) += column[k];
+            all(n + s, k) += row[k];
+          }
+      }
   }
 
 
@@ -127,22 +167,20 @@ namespace lumbricus
         auto all           = matrix(family);
         family.elimination = FamilyFunctions::eliminate_pressures(all);
 
-        std::array<unsigned int, n_displacements> numbers;
-        for (unsigned int s = 0; s < n_displacements; ++s)
-          numbers[s] = family.places[s] == none ?
-                         none :
-                         numbering.number(family.places[s]);
-        for (unsigned int r = 0; r < n_displacements; ++r)
-          for (unsigned int s = 0; s < n_displacements && numbers[r] != none; ++s)
+        std::vector<unsigned int> numbers;
+        for (const unsigned int place : family.places)
+          numbers.push_back(place == none ? none : numbering.number(place));
+        for (unsigned int r = 0; r < numbers.size(); ++r)
+          for (unsigned int s = 0; s < numbers.size() && numbers[r] != none; ++s)
             {
               if (numbers[s] == none ||
                   (tangent.symmetric && numbers[r] < numbers[s]))
                 continue;
               // Where they are is known from the first time on.
               if (is_planned)
-                entries.own.values.push_back(all[r * n + s]);
+                entries.own.values.push_back(all(r, s));
               else
-                entries.own.add(numbers[r], numbers[s], all[r * n + s]);
+                entries.own.add(numbers[r], numbers[s], all(r, s));
             }
       }
     if (mumps == nullptr)
@@ -186,15 +224,17 @@ namespace lumbricus
             functions.add_transposed(c, of_child, r_f[i].data());
           }
         const auto &of_displacements = family.elimination.of_displacements;
-        for (unsigned int s = 0; s < n_displacements; ++s)
+        for (unsigned int s = 0; s < family.places.size(); ++s)
           if (family.places[s] != none)
             {
-              double r_u = r_f[i][s];
+              double r_u = s < n ? r_f[i][s] : 0.;
               for (unsigned int k = 0; k < n_pressures; ++k)
                 r_u -= of_displacements(k, s) * r_f[i][n_displacements + k];
               of_nodes.local_element(family.places[s]) += r_u;
             }
       }
+    for (const unsigned int place : of_hanging)
+      of_nodes.local_element(place) += r.local_element(place);
     r.zero_out_ghost_values();
     of_nodes.compress(dealii::VectorOperation::add);
 
@@ -209,9 +249,9 @@ namespace lumbricus
     unknowns.reinit_vector(sum);
     for (unsigned int i = 0; i < families.size(); ++i)
       {
-        const Family &family = families[i];
-        double        f[n]   = {};
-        for (unsigned int s = 0; s < n_displacements; ++s)
+        const Family       &family = families[i];
+        std::vector<double> f(family.places.size(), 0.);
+        for (unsigned int s = 0; s < f.size(); ++s)
           if (family.places[s] != none)
             f[s] = of_nodes.local_element(family.places[s]);
         for (unsigned int k = 0; k < n_pressures; ++k)
@@ -220,20 +260,23 @@ namespace lumbricus
             for (unsigned int l = 0; l < n_pressures; ++l)
               p += family.elimination.of_pressures(k, l) *
                    r_f[i][n_displacements + l];
-            for (unsigned int s = 0; s < n_displacements; ++s)
-              p -= family.elimination.of_displacements(k, s) * f[s];
+            for (unsigned int s = 0; s < f.size(); ++s)
+              if (family.places[s] != none)
+                p -= family.elimination.of_displacements(k, s) * f[s];
           }
         for (unsigned int c = 0; c < FamilyFunctions::n_children; ++c)
           {
             const unsigned int        cell   = family.children[c];
             const unsigned int *const places = unknowns.places(cell);
-            functions.evaluate(c, f, of_child);
+            functions.evaluate(c, f.data(), of_child);
             for (unsigned int k = 0; k < n_cell; ++k)
               if (!unknowns.is_constrained(cell, k))
                 sum.local_element(places[k]) +=
                   shares.local_element(places[k]) * of_child[k];
           }
       }
+    for (const unsigned int place : of_hanging)
+      sum.local_element(place) += of_nodes.local_element(place);
     sum.compress(dealii::VectorOperation::add);
     x += sum;
   }

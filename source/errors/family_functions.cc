@@ -94,6 +94,10 @@ namespace lumbricus
               n_between += x[d] % 2;
               rest /= 3;
             }
+          if (x[0] % 2 + x[1] % 2 + x[2] % 2 == 0)
+            for (unsigned int c = 0; c < dim; ++c)
+              children[child].of_large_cell[CellUnknowns::displacement(c, n)] =
+                true;
           for (unsigned int d = 0; d < dim; ++d)
             for (unsigned int line = 0; line < n_lines && x[d] % 2 == 1; ++line)
               {
@@ -146,9 +150,9 @@ namespace lumbricus
 
 
   void
-  FamilyFunctions::add_matrix(const unsigned int         child,
-                              const std::vector<double> &K,
-                              std::vector<double>       &sum) const
+  FamilyFunctions::add_matrix(const unsigned int          child,
+                              const std::vector<double>  &K,
+                              dealii::FullMatrix<double> &sum) const
   {
     // (E^T K)^T, and then E^T of that, both by whole rows: E^T K^T E.
     const Child &of = children[child];
@@ -175,7 +179,7 @@ namespace lumbricus
       {
         const unsigned int column = of.functions[s];
         for (unsigned int r = 0; r < n_of_child; ++r)
-          sum[of.functions[r] * n + column] += rows[s][r];
+          sum(of.functions[r], column) += rows[s][r];
       }
   }
 
@@ -213,28 +217,31 @@ namespace lumbricus
 
 
   FamilyFunctions::Elimination
-  FamilyFunctions::eliminate_pressures(std::vector<double> &matrix)
+  FamilyFunctions::eliminate_pressures(dealii::FullMatrix<double> &matrix)
   {
+    const unsigned int         n_all = matrix.m();
     Elimination                result;
-    dealii::FullMatrix<double> B(n_pressures, n_displacements);
+    dealii::FullMatrix<double> B(n_pressures, n_all);
     result.of_pressures.reinit(n_pressures, n_pressures);
-    result.of_displacements.reinit(n_pressures, n_displacements);
+    result.of_displacements.reinit(n_pressures, n_all);
     for (unsigned int k = 0; k < n_pressures; ++k)
       {
-        const double *const row = &matrix[(n_displacements + k) * n];
-        std::copy_n(row, n_displacements, &B(k, 0));
+        const double *const row = &matrix(n_displacements + k, 0);
+        std::copy_n(row, n_all, &B(k, 0));
         std::copy_n(row + n_displacements, n_pressures, &result.of_pressures(k, 0));
       }
     result.of_pressures.gauss_jordan();
     result.of_pressures.mmult(result.of_displacements, B);
-    for (unsigned int r = 0; r < n_displacements; ++r)
+    for (unsigned int r = 0; r < n_all; ++r)
       {
-        double *const row = &matrix[r * n];
+        if (r >= n_displacements && r < n)
+          continue;
+        double *const row = &matrix(r, 0);
         for (unsigned int k = 0; k < n_pressures; ++k)
           {
             const double        factor = row[n_displacements + k];
             const double *const of_k   = &result.of_displacements(k, 0);
-            for (unsigned int s = 0; s < n_displacements; ++s)
+            for (unsigned int s = 0; s < n_all; ++s)
               row[s] -= factor * of_k[s];
           }
       }

@@ -5,6 +5,7 @@
 #include <lumbricus/discretization/tangent.h>
 #include <lumbricus/errors/cut_cells.h>
 #include <lumbricus/errors/family_functions.h>
+#include <lumbricus/errors/hanging_functions.h>
 #include <lumbricus/linear/free_numbering.h>
 #include <lumbricus/linear/mumps.h>
 
@@ -23,8 +24,8 @@ namespace lumbricus
    * of the large cells and coupled as these are, so that their own matrix can be
    * factored, while that of the small cells could not.
    *
-   * Those of cells of liquid alone are left out, since hydrostatic liquid needs none,
-   * and those on faces with hanging nodes.
+   * Those of cells of liquid alone are left out, since hydrostatic liquid needs none.
+   * Where hanging nodes follow a node, HangingFunctions take their place.
    */
   class Enrichment
   {
@@ -52,9 +53,11 @@ namespace lumbricus
     {
       /** Numbers of the owned small cells. */
       std::array<unsigned int, FamilyFunctions::n_children> children;
-      /** Of each displacement the place of the node where it is 1; none where it
-       * is left out. */
-      std::array<unsigned int, FamilyFunctions::n_displacements> places;
+      /** Of each function the place of the node where it is 1; none for those that
+       * are left out, and for pressures. The hanging ones come last. */
+      std::vector<unsigned int> places;
+      /** Those of its functions. */
+      std::vector<HangingFunctions::Entry> hanging;
       /** Of the pressures from its matrix. */
       FamilyFunctions::Elimination elimination;
     };
@@ -63,9 +66,17 @@ namespace lumbricus
     void
     number(const CutCells &cells);
 
-    /** The matrix [A B^T; B C] of a family, by rows. */
-    std::vector<double>
+    /** The matrix of a family. */
+    dealii::FullMatrix<double>
     matrix(const Family &family) const;
+
+    /** Add to the rows and columns of the hanging functions what the matrix @p K of
+     * a child makes of them. */
+    void
+    add_hanging(const Family               &family,
+                const unsigned int          child,
+                const std::vector<double>  &K,
+                dealii::FullMatrix<double> &all) const;
 
     const Body     body;
     const Tangent &tangent;
@@ -73,6 +84,7 @@ namespace lumbricus
     const FamilyFunctions          functions;
     std::vector<Family>            families;
     Vector                         shares; ///< among solid cells
+    std::vector<unsigned int>      of_hanging; ///< their places that are owned
     FreeNumbering                  numbering;
     std::unique_ptr<Mumps<double>> mumps;
   };

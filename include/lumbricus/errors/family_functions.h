@@ -49,11 +49,20 @@ namespace lumbricus
       return all_nodes;
     }
 
-    /** @p sum += E^T K E, by rows, of the matrix @p K of @p child. */
+    /** Whether unknown @p k of @p child is a displacement of a node that the large
+     * cell has too. */
+    bool
+    is_of_large_cell(const unsigned int child, const unsigned int k) const
+    {
+      return children[child].of_large_cell[k];
+    }
+
+    /** Add E^T K E of the matrix @p K of @p child, by rows, to the first rows and
+     * columns of @p sum. */
     void
-    add_matrix(const unsigned int         child,
-               const std::vector<double> &K,
-               std::vector<double>       &sum) const;
+    add_matrix(const unsigned int          child,
+               const std::vector<double>  &K,
+               dealii::FullMatrix<double> &sum) const;
 
     /** @p f += E^T r, with the unknowns @p r of @p child. */
     void
@@ -67,13 +76,15 @@ namespace lumbricus
      * pressures. */
     struct Elimination
     {
-      dealii::FullMatrix<double> of_displacements; ///< C^(-1) B
-      dealii::FullMatrix<double> of_pressures;     ///< C^(-1)
+      /** C^(-1) B, of all rows of the matrix: the identity for the pressures. */
+      dealii::FullMatrix<double> of_displacements;
+      dealii::FullMatrix<double> of_pressures; ///< C^(-1)
     };
 
-    /** Replace A in @p matrix by A - B^T C^(-1) B. */
+    /** Replace A in @p matrix by A - B^T C^(-1) B; after the n functions there may
+     * be more displacements. */
     static Elimination
-    eliminate_pressures(std::vector<double> &matrix);
+    eliminate_pressures(dealii::FullMatrix<double> &matrix);
 
   private:
     /** An entry of E. */
@@ -89,6 +100,8 @@ namespace lumbricus
     {
       std::vector<Entry>        entries;
       std::vector<unsigned int> functions; ///< that are not zero on it
+      /** Of each unknown whether the large cell has it too. */
+      std::array<bool, CellUnknowns::n_per_cell> of_large_cell = {};
     };
 
     /** One more entry, in the column of a function. */
