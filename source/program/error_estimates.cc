@@ -9,22 +9,6 @@
 
 namespace lumbricus
 {
-  std::vector<SegmentError>
-  segment_errors(const ResetIteration::Solve &solve,
-                 const ResetIteration::Solve &better)
-  {
-    std::vector<SegmentError> errors;
-    for (unsigned int s = 0; s < solve.segments.size(); ++s)
-      errors.push_back({better.measures[s].length - solve.measures[s].length,
-                        better.measures[s].mid_radius -
-                          solve.measures[s].mid_radius,
-                        better.segments[s].mean_pressure() -
-                          solve.segments[s].mean_pressure()});
-    return errors;
-  }
-
-
-
   ErrorEstimates::ErrorEstimates(ChainModel &model)
     : model(model)
   {}
@@ -50,14 +34,12 @@ namespace lumbricus
     std::vector<SegmentError>  errors(solve.segments.size());
     try
       {
-        ResetIteration::Solve better;
         with_memory_message(model.space.communicator(), [&]() {
           if (finer == nullptr)
             finer = std::make_unique<FinerModel>(model,
                                                  FinerModel::Shape::true_one);
-          better = finer->measure(state);
+          errors = finer->errors(state, solve);
         });
-        errors = segment_errors(solve, better);
       }
     catch (const dealii::ExceptionBase &exception)
       {

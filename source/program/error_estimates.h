@@ -13,14 +13,6 @@
 
 namespace lumbricus
 {
-  /** What the numbers of all segments lack in @p solve beside those in
-   * @p better. */
-  std::vector<SegmentError>
-  segment_errors(const ResetIteration::Solve &solve,
-                 const ResetIteration::Solve &better);
-
-
-
   /**
    * Estimates what the mesh makes of the lengths, radii and pressures of segments:
    * how they would change with cells of half the size, to first order,

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "error_estimates.h"
 #include "finer_model.h"
 
 namespace lumbricus
@@ -77,7 +76,7 @@ namespace lumbricus
   {
     // Cells that are cut later keep the shape of this mesh.
     FinerModel finer(model, FinerModel::Shape::same);
-    const auto errors = segment_errors(solve, finer.measure(state));
+    const auto errors = finer.errors(state, solve);
 
     ErrorEstimate             estimate;
     std::vector<SegmentError> factors(errors.size());

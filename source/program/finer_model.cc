@@ -92,8 +92,8 @@ namespace lumbricus
 
 
 
-  ResetIteration::Solve
-  FinerModel::measure(const State &state)
+  std::vector<SegmentError>
+  FinerModel::errors(const State &state, const ResetIteration::Solve &solve)
   {
     model.linearise_at(state);
     prolongated = finer.space.zero_state(state.outline());
@@ -110,7 +110,28 @@ namespace lumbricus
     for (const auto &[name, values] : increment.globals)
       for (unsigned int k = 0; k < values.size(); ++k)
         on_finer.globals.at(name)[k] += values[k];
-    return finer.measure(on_finer);
+
+    const CellUnknowns &unknowns = finer.assembler.tangent().unknowns;
+    Vector              change;
+    unknowns.reinit_vector(change);
+    change.copy_locally_owned_data_from(increment.solution);
+    change.update_ghost_values();
+    const auto pressures =
+      pressure_changes(finer.body,
+                       unknowns,
+                       finer.references,
+                       finer.space.with_ghosts(prolongated.solution),
+                       prolongated.globals,
+                       change,
+                       increment.globals);
+    const auto measures =
+      section_measures(finer.body, finer.space.with_ghosts(on_finer.solution));
+    std::vector<SegmentError> errors;
+    for (unsigned int s = 0; s < measures.size(); ++s)
+      errors.push_back({measures[s].length - solve.measures[s].length,
+                        measures[s].mid_radius - solve.measures[s].mid_radius,
+                        pressures[s]});
+    return errors;
   }
 
 

@@ -32,13 +32,13 @@ namespace lumbricus
     /** For @p model as it is, which is kept by reference. Collective. */
     FinerModel(ChainModel &model, const Shape shape);
 
-    /** What @p state, an equilibrium of the model, would be like on the finer
-     * mesh. Leaves the model linearised there. Throws what a load step may
-     * throw. Collective. */
-    ResetIteration::Solve
-    measure(const State &state);
+    /** What the numbers of all segments lack at @p state, an equilibrium where the
+     * model has found @p solve, to first order. Leaves the model linearised there.
+     * Throws what a load step may throw. Collective. */
+    std::vector<SegmentError>
+    errors(const State &state, const ResetIteration::Solve &solve);
 
-    /** Where the error of a number comes from, after measure(): for each owned cell
+    /** Where the error of a number comes from, after errors(): for each owned cell
      * of the model see FinerSolver::contributions(), for the number
      *
      *   sum_s f_s . (length_s, mid_radius_s, pressure_s)

@@ -45,10 +45,24 @@ namespace lumbricus
                  const Globals        &globals);
 
   /**
-   * The derivative of sum_s of_pressures_s mean_pressure_s, with a factor for each
-   * segment, by the free unknowns and by the global ones, where the liquid is
-   * hydrostatic: then it does not hang on displacements. Collective.
+   * How the mean pressure of every segment changes with a small change of
+   * @p relevant_solution and @p globals, where the liquid is hydrostatic: then it
+   * does not hang on displacements, and where cells of liquid fold with them, which
+   * means nothing to a liquid, this does not see it. The change is that of all
+   * unknowns, constrained or not, in a vector made by CellUnknowns::reinit_vector()
+   * with its ghost values. Collective.
    */
+  std::vector<double>
+  pressure_changes(const Body           &body,
+                   const CellUnknowns   &unknowns,
+                   const ReferenceField &references,
+                   const Vector         &relevant_solution,
+                   const Globals        &globals,
+                   const Vector         &relevant_change,
+                   const Globals        &change_of_globals);
+
+  /** The derivative of sum_s of_pressures_s pressure_changes_s, with a factor for
+   * each segment, by the free unknowns and by the global ones. Collective. */
   std::pair<Vector, Globals>
   pressure_derivative(const Body                &body,
                       const CellUnknowns        &unknowns,
