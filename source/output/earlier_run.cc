@@ -200,18 +200,25 @@ namespace lumbricus
   earlier_runs(const std::string &folder)
   {
     namespace files = std::filesystem;
-    std::error_code       error;
+    // Of what cannot be looked at nothing is known.
+    const auto canonical = [](const files::path &path) {
+      std::error_code none;
+      return files::canonical(path, none);
+    };
+    const files::path own  = canonical(folder);
+    files::path       path = files::path(folder).lexically_normal();
+    // As of "results/".
+    if (!path.has_filename())
+      path = path.parent_path();
+    const files::path     parent = path.parent_path();
     std::set<std::string> beside;
-    const files::path     own = files::canonical(folder, error);
-    const files::path     parent =
-      files::path(folder).lexically_normal().parent_path();
-    // Without an end of the loop where the next folder cannot be read.
+    std::error_code       error;
     for (files::directory_iterator
            place(parent.empty() ? files::path(".") : parent, error),
          end;
          !error && place != end && beside.size() < InputLimits::files;
          place.increment(error))
-      if (files::canonical(place->path(), error) != own)
+      if (canonical(place->path()) != own)
         beside.insert(place->path().lexically_normal().string());
 
     std::vector<EarlierRun> runs;

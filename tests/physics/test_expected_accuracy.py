@@ -91,6 +91,13 @@ def test_same_mesh_and_finer_ones(coarse, tmp_path):
         assert least < largest < 0.52 * estimated(coarse)[name]
         assert least / 2 < found[name] < 2 * largest, name
 
+    # Not hindered by what else is there.
+    (finer.parent / "nowhere").symlink_to("away")
+    (finer.parent / "file").touch()
+    assert said(finer, settings) == log
+    assert run(HERE / "segment.prm", f"{finer}/", settings,
+               options=["--check"]).log == log
+
     # Half of the directions: perhaps no better than before.
     log = said(finer, COARSE[:1] + [f"{SEGMENT}Cells along a segment=4"] + COARSE[2:])
     assert "cells up to 2 times smaller, not in all directions" in log
