@@ -2,13 +2,15 @@
 """How good estimates of errors are, and what they cost: the largest estimated over the
 largest true error of length, radius and pressure, of all segments and times, on meshes of
 the closed segment and of the main job, against an independent program; and the part of a
-run's time that one estimate takes.
+run's time that one estimate takes; in which order of the size of cells estimates fall
+where every cell is cut into eight.
 
   benchmarks/run.sh errors [TABLE ...]
 
-with tables among segment, main_job and cost.
+with tables among segment, main_job, order and cost.
 """
 import argparse
+import math
 import re
 import sys
 
@@ -25,12 +27,18 @@ def header(*columns):
     print("\n| " + " | ".join(columns) + " |\n" + "|---" * len(columns) + "|")
 
 
+def largest(found):
+    """Errors of all segments and times, of the largest value."""
+    values = ([max(abs(row[name][i]) for row in found.values()) for i in (0, 1)]
+              for name in NAMES)
+    return [error / value if value > 0 else math.nan for value, error in values]
+
+
 def row(case, name, settings, true, words):
     result = run_well(case, name, ["Output/Every=0", *settings], N_RANKS,
                       timeout=7200)
     found = errors(result)
-    worst = [max(abs(row[name][1]) for row in found.values()) /
-             max(abs(row[name][0]) for row in found.values()) for name in NAMES]
+    worst = largest(found)
     print("| " + " | ".join([
         *words, str(result.costs()["unknowns"]),
         *(f"{100 * part:.2g} %, {effectivity(found, true, name):.2f}"
@@ -61,6 +69,42 @@ def main_job():
             true, (name, str(along), str(across)))
 
 
+def order():
+    header("case", "unknowns", *NAMES)
+    gallery, tests = SOURCE / "parameters", SOURCE / "tests" / "physics"
+    coarse = [f"{SEGMENT}Cells along a segment=2",
+              f"{SEGMENT}Cells across the liquid=2"]
+    for words, case, settings in (
+            ("closed segment", tests / "segment.prm", [
+                f"{SEGMENT}Liquid=cavity", *coarse, "Time/First step=0.1",
+                "Time/Largest step=0.1", "Output/Errors=2"]),
+            ("thick sphere", tests / "sphere.prm", [
+                "Geometry/hollow sphere/Cells around a quarter=2",
+                "Geometry/hollow sphere/Cells through the wall=2",
+                "Cavities/Content=volume", "Output/Errors=4",
+                "Cavities/volume/Relative volume=1 + 0.5*t",
+                "Time/First step=0.25", "Time/Largest step=0.25"]),
+            ("viscous_segment", gallery / "viscous_segment" / "case.prm",
+             ["Time/End=1", "Output/Errors=10"]),
+            ("crossed_fibres", gallery / "crossed_fibres" / "case.prm",
+             ["Output/Errors=3"]),
+            ("helical_twist", gallery / "helical_twist" / "case.prm",
+             ["Time/End=0.3", "Output/Errors=3"]),
+            ("main job, 3 segments", PERISTALSIS / "cavities.prm", [
+                f"{SEGMENT}Number of segments=3", *coarse, "Time/End=0.4",
+                "Output/Errors=4"])):
+        results = [run_well(case, f"order-{words}-{n}", [
+            "Output/Every=0", f"Mesh/Global refinements={n}", *settings], N_RANKS,
+            timeout=7200) for n in (0, 1)]
+        coarser, finer = (largest(errors(result)) for result in results)
+        print("| " + " | ".join([words, ", ".join(
+            str(result.costs()["unknowns"]) for result in results), *(
+                f"{100 * a:.2g}, {100 * b:.2g} %: {math.log2(a / b):.1f}"
+                # Round-off is that of a pressure which is given.
+                if a > 1e-10 else "" for a, b in zip(coarser, finer))]) + " |",
+            flush=True)
+
+
 def cost():
     """Seconds of estimates from the log, relative to all else."""
     header("case", "run without (s)", "an estimate (s)", "of the run")
@@ -76,7 +120,7 @@ def cost():
               flush=True)
 
 
-TABLES = {table.__name__: table for table in (segment, main_job, cost)}
+TABLES = {table.__name__: table for table in (segment, main_job, order, cost)}
 
 
 def main():

@@ -52,7 +52,7 @@ namespace lumbricus
         << geometry.n_segments() << " segment"
         << (geometry.n_segments() == 1 ? "" : "s") << ", "
         << model.triangulation.n_global_active_cells() << " cells, "
-        << model.space.dof_handler.n_dofs() << " unknowns, "
+        << n_unknowns() << " unknowns, "
         << dealii::Utilities::MPI::n_mpi_processes(comm) << " rank"
         << (dealii::Utilities::MPI::n_mpi_processes(comm) == 1 ? "" : "s")
         << "\n"
@@ -172,6 +172,14 @@ namespace lumbricus
   ChainProblem::mesh() const
   {
     return model.triangulation;
+  }
+
+
+
+  std::uint64_t
+  ChainProblem::n_unknowns() const
+  {
+    return model.space.dof_handler.n_dofs();
   }
 
 

@@ -11,6 +11,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -67,6 +68,10 @@ namespace lumbricus
     /** The mesh, after setup(). */
     const dealii::Triangulation<dim> &
     mesh() const;
+
+    /** How many unknowns there are, after setup(). */
+    std::uint64_t
+    n_unknowns() const;
 
     /** How far the run has come, after prepare(); with its costs when run() has
      * ended. It knows of no end: that is running. */

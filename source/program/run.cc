@@ -4,6 +4,7 @@
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/core/log.h>
 #include <lumbricus/core/out_of_memory.h>
+#include <lumbricus/output/earlier_run.h>
 #include <lumbricus/output/run_description.h>
 #include <lumbricus/parameters/entries_as_json.h>
 #include <lumbricus/program/blas.h>
@@ -14,8 +15,10 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "chain_problem.h"
+#include "expected_accuracy.h"
 #include "memory_end.h"
 #include "run_input.h"
 
@@ -215,6 +218,29 @@ namespace lumbricus
 
 
 
+    // What errors to expect, where runs have left their estimates in the folder
+    // of results or beside it. A run that goes on has its own.
+    void
+    say_expected_accuracy(const RunInput     &input,
+                          const ChainProblem &problem,
+                          Log                &log,
+                          const MPI_Comm      comm)
+    {
+      if (input.restarts() ||
+          dealii::Utilities::MPI::this_mpi_process(comm) != 0)
+        return;
+      const std::string &folder = input.parameters.output_folder;
+      const std::vector<EarlierRun> runs = earlier_runs(folder);
+      if (!runs.empty())
+        log << expected_accuracy(
+          values_of(input.file.entries(input.places(input.file.input_files()))),
+          problem.n_unknowns(),
+          folder,
+          runs);
+    }
+
+
+
     // All parameters with their values, for other programs.
     void
     say_values(const RunInput &input, const MPI_Comm comm)
@@ -289,6 +315,7 @@ namespace lumbricus
             return;
           }
         say_what_runs(input, problem, log);
+        say_expected_accuracy(input, problem, log, comm);
         log << "The input is valid; nothing was computed.\n";
         // What was said is all that a check gives.
         throw_on_all_ranks<ExcInput>(log.lost_output(), comm);

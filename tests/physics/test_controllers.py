@@ -248,6 +248,6 @@ def test_reflex(tmp_path):
     pulled, held = (gallery("reflex", tmp_path / str(gain),
                             controllers_of("reflex").Reflex(2.1, gain))
                     for gain in (0, 0.6))
-    assert sum(lengths(pulled, 2)) == pytest.approx(14.364, abs=1e-3)
-    assert sum(lengths(held, 2)) == pytest.approx(13.874, abs=1e-3)
+    assert sum(lengths(pulled, 2)) == pytest.approx(14.388, abs=1e-3)
+    assert sum(lengths(held, 2)) == pytest.approx(13.887, abs=1e-3)
     assert lengths(held, 2) == pytest.approx(lengths(held, 1.9), abs=1e-4)

@@ -10,10 +10,12 @@ import pytest
 from lumbricus_run import SOURCE
 
 import lumbricus
+from lumbricus.bars import with_bar
 from lumbricus.program import environment
 
 BLOCK = SOURCE / "tests" / "errors" / "block.prm"
 PISTONS = SOURCE / "tests" / "physics" / "pistons.prm"
+SEGMENT = SOURCE / "tests" / "physics" / "segment.prm"
 SHORT_STEPS = {"Time/First step": 1e-3, "Time/Largest step": 1e-3, "Output/Every": 0}
 
 
@@ -34,6 +36,41 @@ def test_tables_and_description(finished):
     assert description.program["ranks"] == 2
     assert description.parameters["Time/End"].value == 1
     assert "cells" in finished.log
+
+
+@pytest.mark.parametrize("value, error, text", [
+    (2.21571573, 0.00371022, "2.2157 ± 0.0037"), (2.2, -0.0996, "2.20 ± 0.10"),
+    (-0.004644686, 0.000477218, "-0.00464 ± 0.00048"), (123.4, 56.7, "123 ± 57"),
+    (1.5e-8, 2e-10, "(1.500 ± 0.020)e-08"), (3.2e9, 1.7e7, "(3.200 ± 0.017)e+09"),
+    (1234.5, 560, "(1.23 ± 0.56)e+03"), (1e-6, 3e-5, "(0.1 ± 3.0)e-05"),
+    (6, 0, "6 ± 0"), (2.5, 1e-17, "2.5 ± 1e-17"), (2.5, float("nan"), "2.5"),
+    (float("nan"), 1.0, "nan")])
+def test_a_number_with_its_bar(value, error, text):
+    assert with_bar(value, error) == text
+
+
+def test_error_bars(finished, tmp_path):
+    assert str(finished) == finished.summary()
+    assert ": finished at time 1 of 1, 2 steps" in str(finished)
+    assert "±" not in str(finished)
+    with pytest.raises(lumbricus.LumbricusError, match=r"no estimates.*Output/Errors"):
+        finished.bars()
+    run = lumbricus.Case(SEGMENT, {
+        "Geometry/segment chain/Liquid": "cavity", "Time/First step": 0.1,
+        "Time/Largest step": 0.1, "Time/End": 0.2, "Output/Errors": 1}).run(
+            tmp_path, progress=False)
+    last = run.errors.iloc[-1]
+    bars = run.bars()
+    assert list(bars.columns) == ["t", "segment", "length", "mid_radius",
+                                  "fluid_pressure"]
+    for name in ("length", "mid_radius", "fluid_pressure"):
+        value, error = map(float, bars[name].iloc[-1].split(" ± "))
+        assert value == pytest.approx(last[name], rel=1e-2)
+        assert error == pytest.approx(abs(last[f"{name}_error"]), rel=0.06)
+        assert bars[name].iloc[-1] in str(run)
+    assert list(run.bars(0.1)["t"]) == [0.1]
+    with pytest.raises(lumbricus.LumbricusError, match=r"time 0\.7, but at 0\.1, 0\.2;"):
+        run.bars(0.7)
 
 
 def test_a_table_that_is_new_needs_nothing(finished):

@@ -18,6 +18,7 @@ from lumbricus_run import SOURCE, run_well
 
 SCRIPTS = SOURCE / "scripts"
 sys.path.insert(0, str(SOURCE / "python" / "src"))
+from lumbricus.plot import segments  # noqa: E402
 from lumbricus.plot.command import main  # noqa: E402
 from lumbricus.plot.errors import in_per_cent  # noqa: E402
 from lumbricus.plot.run_folder import RunFolder  # noqa: E402
@@ -107,7 +108,7 @@ def test_pictures(report):
     assert {frame.getpixel((1, 1)) for frame in frames} == {(255, 255, 255)}
 
 
-def test_estimated_errors(tmp_path):
+def test_estimated_errors(tmp_path, monkeypatch):
     """Bars of the largest errors, in the report too; without estimates neither."""
     run = run_well(SOURCE / "tests" / "physics" / "chain.prm", tmp_path / "run",
                    ["Output/Every=0", "Output/Errors=1"])
@@ -120,6 +121,21 @@ def test_estimated_errors(tmp_path):
     largest = max(abs(row["fluid_pressure"]) for row in rows)
     assert abs(in_per_cent(drawn, "fluid_pressure")).max() == pytest.approx(
         100 * max(abs(row["fluid_pressure_error"]) for row in rows) / largest)
+
+    # With few segments the picture of these has bars too, where there are estimates.
+    monkeypatch.setattr(segments, "MOST_LINES", drawn.n_segments)
+    times, values, sizes = segments.bars(drawn, "length")
+    assert segments.bars(drawn, "fluid_volume") is None
+    assert list(times) == sorted({row["t"] for row in rows})
+    at_first = [row for row in rows if row["t"] == times[0]]
+    assert list(values[0]) == [row["length"] for row in at_first]
+    assert list(sizes[0]) == [abs(row["length_error"]) for row in at_first]
+    drawings = []
+    for name in ("with", "without"):
+        segments.draw_segments(drawn, tmp_path / f"{name}.png")
+        drawings.append((tmp_path / f"{name}.png").read_bytes())
+        drawn.errors = None
+    assert drawings[0] != drawings[1]
 
     (run.folder / "errors.csv").unlink()
     assert main([str(run.folder), "--only", "errors", "report"]) == 0

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import pandas as pd
 
+from .bars import bars_of
 from .case import Parameter, parameters_from
 from .errors import LumbricusError
 
@@ -70,7 +71,8 @@ class Run:
 
     Every table there is an attribute: ``run.segments`` is segments.csv as a
     pandas.DataFrame, read anew each time; doc/results.md has all columns and units.
-    ``run.tables`` lists them.
+    ``run.tables`` lists them. ``print(run)`` says how far it has come and what it has
+    estimated the errors of its mesh to be.
 
     Raises LumbricusError where there is no run.
     """
@@ -115,6 +117,40 @@ class Run:
 
     def __repr__(self) -> str:
         return f"Run({str(self.folder)!r})"
+
+    def __str__(self) -> str:
+        return self.summary()
+
+    def bars(self, t: float | None = None) -> pd.DataFrame:
+        """Length, radius [mm] and pressure [N/mm²] of each segment as texts, "2.216 ±
+        0.004", at a time that has estimates of errors [time], by default the last one.
+
+        Raises LumbricusError where there are none, see Output/Errors.
+        """
+        errors = self.errors if "errors" in self.tables else pd.DataFrame({"t": []})
+        times = sorted(set(errors["t"]))
+        found = times[-1:] if t is None else [
+            time for time in times if abs(time - t) <= 1e-9 * max(1.0, abs(t))]
+        if not found:
+            raise LumbricusError(
+                f"The run in '{self.folder}' has no estimates of errors"
+                + ("" if t is None or not times else f" at time {t:g}, but at "
+                   + ", ".join(f"{time:g}" for time in times)) + "; see Output/Errors.",
+                folder=self.folder)
+        return bars_of(errors[errors["t"] == found[0]]).reset_index(drop=True)
+
+    def summary(self) -> str:
+        """What the run is, how far it has come, and its numbers with error bars where
+        it has estimated them."""
+        description = self.description
+        status, title = description.status, description.title
+        text = (f"{title or self.folder.name}: {status['state']} at time "
+                f"{status['time']:g} of {status['end_time']:g}, {status['step']} steps\n")
+        try:
+            bars = self.bars()
+        except LumbricusError:
+            return text
+        return text + bars.to_string(index=False) + "\n"
 
     @property
     def log(self) -> str:

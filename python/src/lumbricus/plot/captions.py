@@ -56,7 +56,8 @@ ERRORS = (
 SEGMENTS = (
     "Length [mm] and radius in the middle [mm], pressure [N/mm²] and relative "
     "change of the volume [-] of the liquid (of the wall where there is none) "
-    "in every segment against time.")
+    "in every segment against time. Bars, where one or two segments have estimates, "
+    "are the errors of the mesh.")
 CONVERGENCE = (
     "Top: how often liquid was reset, in any segment, in each load step with "
     "the adaptations that follow it, and how often a step was cut. Middle: the "

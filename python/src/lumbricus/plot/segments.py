@@ -9,22 +9,22 @@ from matplotlib.axes import Axes
 
 from .arrays import Array
 from .figures import INCHES, cell_borders, save
-from .run_folder import RunFolder
+from .run_folder import ESTIMATED, RunFolder
 
 MOST_LINES = 2  # more segments are drawn as rows of colour
 
 
-def panels(run: RunFolder) -> list[tuple[str, Array, str, bool]]:
-    """(title, values [time, segment], colours, zero in the middle or not)"""
-    volume = run.field("fluid_volume" if run.has_liquid else "wall_volume")
+def panels(run: RunFolder) -> list[tuple[str, str, Array, str, bool]]:
+    """(column, title, values [time, segment], colours, zero in the middle or not)"""
+    volume = "fluid_volume" if run.has_liquid else "wall_volume"
     return [
-        ("length [mm]", run.field("length"), "viridis", False),
-        ("radius in the middle [mm]", run.field("mid_radius"), "viridis",
-         False),
-        ("pressure of the liquid [N/mm$^2$]", run.field("fluid_pressure"),
-         "YlGnBu", False),
-        (("liquid" if run.has_liquid else "wall") + ": $V/V_0 - 1$",
-         volume / volume[0] - 1, "RdBu_r", True)]
+        ("length", "length [mm]", run.field("length"), "viridis", False),
+        ("mid_radius", "radius in the middle [mm]", run.field("mid_radius"),
+         "viridis", False),
+        ("fluid_pressure", "pressure of the liquid [N/mm$^2$]",
+         run.field("fluid_pressure"), "YlGnBu", False),
+        (volume, ("liquid" if run.has_liquid else "wall") + ": $V/V_0 - 1$",
+         run.field(volume) / run.field(volume)[0] - 1, "RdBu_r", True)]
 
 
 def largest(values: Array) -> float:
@@ -32,10 +32,26 @@ def largest(values: Array) -> float:
     return max(float(np.abs(values).max()), 1e-12)
 
 
-def draw_lines(axes: Axes, run: RunFolder, values: Array, symmetric: bool) -> None:
-    for segment, curve in zip(run.segment_numbers, values.T):
-        axes.plot(run.times, curve, ".-", linewidth=1, markersize=4,
-                  label=f"segment {segment}")
+def bars(run: RunFolder, column: str) -> tuple[Array, Array, Array] | None:
+    """Times, and values and the sizes of their estimated errors [time, segment]; None
+    where there are no estimates of that column."""
+    if run.errors is None or column not in ESTIMATED:
+        return None
+    shape = (-1, run.n_segments)
+    return (run.errors["t"].reshape(shape)[:, 0], run.errors[column].reshape(shape),
+            np.abs(run.errors[f"{column}_error"]).reshape(shape))
+
+
+def draw_lines(axes: Axes, run: RunFolder, column: str, values: Array,
+               symmetric: bool) -> None:
+    estimated = bars(run, column)
+    for k, (segment, curve) in enumerate(zip(run.segment_numbers, values.T)):
+        line, = axes.plot(run.times, curve, ".-", linewidth=1, markersize=4,
+                          label=f"segment {segment}")
+        if estimated is not None:
+            times, centres, sizes = estimated
+            axes.errorbar(times, centres[:, k], yerr=sizes[:, k], fmt="none",
+                          ecolor=line.get_color(), elinewidth=1, capsize=3)
     if symmetric:
         axes.set_ylim(-largest(values), largest(values))
     axes.ticklabel_format(axis="y", useOffset=False, scilimits=(-3, 4))
@@ -64,12 +80,12 @@ def draw_rows(axes: Axes, run: RunFolder, values: Array, colours: str,
 def draw_segments(run: RunFolder, file_name: pathlib.Path) -> None:
     figure, grid = plt.subplots(2, 2, figsize=(INCHES, 4.6), sharex=True,
                                 layout="constrained")
-    for axes, (title, values, colours, symmetric) in zip(grid.flat,
-                                                         panels(run)):
+    for axes, (column, title, values, colours, symmetric) in zip(grid.flat,
+                                                                 panels(run)):
         if run.n_segments > MOST_LINES:
             draw_rows(axes, run, values, colours, symmetric)
         else:
-            draw_lines(axes, run, values, symmetric)
+            draw_lines(axes, run, column, values, symmetric)
         axes.set_title(title, fontsize=9)
         axes.tick_params(labelsize=7)
         axes.yaxis.get_offset_text().set_fontsize(7)
