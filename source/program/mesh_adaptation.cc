@@ -140,6 +140,25 @@ namespace lumbricus
       // Where cells were merged, the liquid's stress-free shape is another one.
       set_rest_volumes(volumes, model.body, state);
     }
+    // What keeps an action from being done, if anything does: no convergence, an
+    // expression without a value at a new point, too little memory for so many
+    // unknowns.
+    template <typename Action>
+    std::string
+    trouble_of(const Action &action)
+    {
+      try
+        {
+          action();
+        }
+      catch (const dealii::ExceptionBase &exception)
+        {
+          if (!is_thrown_on_all_ranks(exception))
+            throw;
+          return plain_message(exception);
+        }
+      return "";
+    }
   } // namespace
 
 
@@ -153,46 +172,34 @@ namespace lumbricus
     // A safe point is where the step is done, on one mesh.
     const Uninterrupted uninterrupted;
     AdaptationRecord    record;
-    {
+    std::string         trouble = trouble_of([&]() {
       dealii::TimerOutput::Scope scope(model.timer, "error estimate");
-      mark(model, state, last, record);
-    }
+      with_memory_message(model.space.communicator(),
+                          [&]() { mark(model, state, last, record); });
+    });
     if (record.any)
       {
         const Backup backup(model, state);
-        std::string  trouble;
-        try
+        trouble = trouble_of([&]() {
           {
-            {
-              dealii::TimerOutput::Scope scope(model.timer, "new mesh");
-              with_memory_message(model.space.communicator(),
-                                  [&]() { change_mesh(model, state); });
-            }
-            with_memory_message(model.space.communicator(), [&]() {
-              record.report = model.solve(state);
-            });
-            record.converged = true;
-            compare(last.segments,
-                    record.report.solves.back().segments,
-                    record);
-            const auto refined = refined_cells(model.triangulation);
-            record.n_refined   = n_not_in(backup.refined, refined);
-            record.n_coarsened = n_not_in(refined, backup.refined);
+            dealii::TimerOutput::Scope scope(model.timer, "new mesh");
+            with_memory_message(model.space.communicator(),
+                                [&]() { change_mesh(model, state); });
           }
-        catch (const dealii::ExceptionBase &exception)
-          {
-            // No convergence, an expression without a value at a new point, too
-            // little memory for so many unknowns.
-            if (!is_thrown_on_all_ranks(exception))
-              throw;
-            trouble = plain_message(exception);
-          }
+          with_memory_message(model.space.communicator(), [&]() {
+            record.report = model.solve(state);
+          });
+          record.converged = true;
+          compare(last.segments, record.report.solves.back().segments, record);
+          const auto refined = refined_cells(model.triangulation);
+          record.n_refined   = n_not_in(backup.refined, refined);
+          record.n_coarsened = n_not_in(refined, backup.refined);
+        });
         if (!trouble.empty())
-          {
-            log << "        the mesh stays as it was: " << trouble << "\n";
-            backup.restore(model, state);
-          }
+          backup.restore(model, state);
       }
+    if (!trouble.empty())
+      log << "        the mesh stays as it was: " << trouble << "\n";
     record.n_cells    = model.triangulation.n_global_active_cells();
     record.n_unknowns = model.space.dof_handler.n_dofs();
     return record;

@@ -107,18 +107,28 @@ namespace lumbricus
     output_parts.initialize(anatomy, boundary_conditions);
     continuation.get()->initialize(*this);
     if (output_parts.asks_for_errors())
-      {
-        AssertThrow(!interface_coupling.slips(),
-                    ExcParameter("Output/Errors",
-                                 "cannot be estimated where liquid slips along "
-                                 "the wall. Set it to 0, or "
-                                 "'Interface/Coupling' to 'tied'."));
-        AssertThrow(continuation.chosen_name() == "time",
-                    ExcParameter("Output/Errors",
-                                 "are estimated at a given load only, not on a "
-                                 "path. Set it to 0, or 'Path/Control' to "
-                                 "'time'."));
-      }
+      check_finer_cells("Output/Errors", "Set it to 0");
+    if (adaptivity.adapts() && adaptivity.estimator().needs_finer_cells())
+      check_finer_cells("Adaptivity/Estimator", "Choose another one");
+  }
+
+
+
+  void
+  RunParameters::check_finer_cells(const std::string &parameter,
+                                   const std::string &otherwise) const
+  {
+    AssertThrow(!interface_coupling.slips(),
+                ExcParameter(parameter,
+                             "asks for estimates of errors, of which there are "
+                             "none where liquid slips along the wall. " +
+                               otherwise +
+                               ", or 'Interface/Coupling' to 'tied'."));
+    AssertThrow(continuation.chosen_name() == "time",
+                ExcParameter(parameter,
+                             "asks for estimates of errors, which there are at a "
+                             "given load only, not on a path. " +
+                               otherwise + ", or 'Path/Control' to 'time'."));
   }
 
 

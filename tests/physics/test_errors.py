@@ -162,10 +162,13 @@ def test_ranks_and_restart(tmp_path, name):
 @pytest.mark.parametrize("settings, word", [
     (["Interface/Coupling=slip"], "slips along the wall"),
     (["Path/Control=arc length", "Time/End=1"], "not on a path")])
-def test_refused(tmp_path, settings, word):
-    result = run(HERE / "segment.prm", tmp_path, ["Output/Errors=1", *settings])
+@pytest.mark.parametrize("asked", [
+    ["Output/Errors=1"],
+    ["Adaptivity/Every=1", "Adaptivity/Estimator=goal"]])
+def test_refused(tmp_path, asked, settings, word):
+    result = run(HERE / "segment.prm", tmp_path, [*asked, *settings])
     assert result.exit_code == 1
-    assert "Output/Errors" in result.said() and word in result.said()
+    assert asked[-1].partition("=")[0] in result.said() and word in result.said()
 
 
 def test_no_estimate_where_the_smaller_cells_have_none(tmp_path):

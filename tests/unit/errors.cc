@@ -4,6 +4,9 @@
 #include <lumbricus/errors/cut_cells.h>
 #include <lumbricus/errors/enrichment.h>
 #include <lumbricus/errors/finer_solver.h>
+#include <lumbricus/errors/hanging_functions.h>
+#include <lumbricus/measures/section_measures.h>
+#include <lumbricus/measures/segment_state.h>
 
 #include <gtest/gtest.h>
 
@@ -149,6 +152,150 @@ end
     EXPECT_TRUE(large.linearise_at(state));
     state.solution = specimen.random(10., 1);
     EXPECT_FALSE(large.linearise_at(state));
+  }
+
+
+
+  // How much a sum of products of numbers with factors changes along a way, by a
+  // difference.
+  template <typename Number>
+  double
+  change_along(ChainModel   &model,
+               const State  &state,
+               const Vector &way,
+               const Number &number)
+  {
+    constexpr double h = 1e-4;
+    double           values[2];
+    for (const unsigned int ahead : {0, 1})
+      {
+        State moved = state;
+        moved.solution.add(ahead == 1 ? h : -h, way);
+        values[ahead] = 0.;
+        const auto solve = model.measure(moved);
+        for (unsigned int s = 0; s < solve.segments.size(); ++s)
+          values[ahead] += number(solve, s);
+      }
+    return (values[1] - values[0]) / (2. * h);
+  }
+
+
+
+  TEST_F(Errors, DerivativesOfNumbersOfSegments)
+  {
+    State state    = specimen.state;
+    state.solution = specimen.random(0.01, 1);
+    large.set_to(state);
+    const CellUnknowns &unknowns = large.assembler.tangent().unknowns;
+    const auto          at       = large.space.with_ghosts(state.solution);
+    Vector              way      = noise(large, 0.7);
+    const auto          factor   = [](const unsigned int s) { return 1. + 2. * s; };
+    const std::vector<double> none(2, 0.), factors{factor(0), factor(1)};
+
+    Vector full = way;
+    large.supports.constraints().distribute(full);
+    const double lengths = change_along(
+      large, state, full, [&](const auto &solve, const unsigned int s) {
+        return factor(s) * solve.measures[s].length;
+      });
+    EXPECT_GT(std::abs(lengths), 1e-3);
+    EXPECT_NEAR((section_derivative(large.body, unknowns, factors, none, at) * way) /
+                  lengths,
+                1.,
+                1e-6);
+    const double radii = change_along(
+      large, state, full, [&](const auto &solve, const unsigned int s) {
+        return factor(s) * solve.measures[s].mid_radius;
+      });
+    EXPECT_GT(std::abs(radii), 1e-3);
+    EXPECT_NEAR((section_derivative(large.body, unknowns, none, factors, at) * way) /
+                  radii,
+                1.,
+                1e-6);
+
+    // Displacements do not matter to the pressure of a liquid that is hydrostatic.
+    State at_rest = specimen.state;
+    large.set_to(at_rest);
+    for (unsigned int i = 0; i < unknowns.n_cells(); ++i)
+      for (unsigned int k = 0; k < CellUnknowns::n_per_cell; ++k)
+        if (k < CellUnknowns::pressure(0) ||
+            k >= CellUnknowns::pressure(0) + MixedSpace::n_pressure_modes)
+          full.local_element(unknowns.places(i)[k]) = 0.;
+    const double pressures = change_along(
+      large, at_rest, full, [&](const auto &solve, const unsigned int s) {
+        return factor(s) * solve.segments[s].mean_pressure();
+      });
+    const auto at_zero = large.space.with_ghosts(at_rest.solution);
+    const auto derivative = pressure_derivative(large.body,
+                                                unknowns,
+                                                large.references,
+                                                factors,
+                                                at_zero,
+                                                at_rest.globals);
+    EXPECT_GT(std::abs(pressures), 1e-3);
+    EXPECT_NEAR(derivative.first * full / pressures, 1., 1e-6);
+    full.update_ghost_values();
+    const auto changes = pressure_changes(large.body,
+                                          unknowns,
+                                          large.references,
+                                          at_zero,
+                                          at_rest.globals,
+                                          full,
+                                          at_rest.globals);
+    EXPECT_NEAR((factors[0] * changes[0] + factors[1] * changes[1]) / pressures,
+                1.,
+                1e-6);
+  }
+
+
+
+  TEST_F(Errors, ProductsOfLargeCellsAddUpToTheWhole)
+  {
+    // With the signs of a vector on itself nothing cancels.
+    const Vector x     = noise(small, 0.4);
+    double       sum   = 0.;
+    for (const double of_cell : cells->products(x, x))
+      {
+        EXPECT_GT(of_cell, 0.);
+        sum += of_cell;
+      }
+    EXPECT_NEAR(dealii::Utilities::MPI::sum(sum, specimen.comm) / (x * x), 1., 1e-12);
+  }
+
+
+
+  TEST_F(Errors, TheEnrichmentSeesFacesWithHangingNodes)
+  {
+    // A force on a node of small cells that hanging ones follow, which the large ones
+    // do not have.
+    small.linearise_at(small.rest_state());
+    const Tangent         &tangent  = small.assembler.tangent();
+    const CellUnknowns    &unknowns = tangent.unknowns;
+    const FamilyFunctions  functions;
+    const HangingFunctions hanging(small.body, unknowns, *cells, functions);
+    Enrichment             enrichment(small.body, tangent, *cells);
+    enrichment.factor();
+    unsigned int n_found = 0;
+    for (const OwnedCell cell : small.body.owned_cells())
+      for (unsigned int k = 0; k < CellUnknowns::n_per_cell && !cell.is_liquid; ++k)
+        {
+          const unsigned int place = unknowns.places(cell.index)[k];
+          if (n_found > 3 || unknowns.is_constrained(cell.index, k) ||
+              !hanging.leads(place) ||
+              functions.is_of_large_cell(cells->child(cell.index), k))
+            continue;
+          Vector force, x, r;
+          unknowns.reinit_vector(force);
+          x = r                      = force;
+          force.local_element(place) = 1.;
+          enrichment.correct(x, force);
+          tangent.vmult(r, x);
+          // What is left of it is what volumes say, whose penalty is softer.
+          EXPECT_GT(x.local_element(place), 0.);
+          EXPECT_NEAR(r.local_element(place), 1., 0.2);
+          ++n_found;
+        }
+    EXPECT_GT(n_found, 0u);
   }
 
 

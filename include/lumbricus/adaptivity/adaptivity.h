@@ -30,6 +30,13 @@ namespace lumbricus
     void
     initialize(const Anatomy &anatomy, const unsigned int least_level);
 
+    /** Whether the mesh is ever adapted. */
+    bool
+    adapts() const
+    {
+      return every > 0;
+    }
+
     /** Whether the mesh is to be adapted after step @p number. */
     bool
     due(const unsigned int number) const;

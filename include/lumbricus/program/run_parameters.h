@@ -111,6 +111,12 @@ namespace lumbricus
     Section<OutputParts> output_parts; ///< the other entries of section Output
 
   private:
+    /** That there can be estimates on finer cells, for which @p parameter asks;
+     * @p otherwise says how not to ask. */
+    void
+    check_finer_cells(const std::string &parameter,
+                      const std::string &otherwise) const;
+
     /** All from unit_check to stability_watch, as the reference has them. */
     const std::vector<ParameterOwner *> owners;
   };
