@@ -1,9 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Accuracy per unknown: uniform meshes against adapted ones, both estimators, on
-parameters/adaptive_septum. The pressure of the liquid, and the largest von Mises stress
-of the wall on a line along the muscle bundle, 0.06 mm and more off the septum: in the
-corner itself the stress has no bound. Against a mesh adapted until it has 470,000
-unknowns. Draws the picture adaptivity.png."""
+"""Accuracy per unknown: uniform meshes against adapted ones.
+
+  benchmarks/run.sh adaptivity [TABLE ...]
+
+septum: all estimators on parameters/adaptive_septum. The pressure of the liquid, and the
+largest von Mises stress of the wall on a line along the muscle bundle, 0.06 mm and more
+off the septum: in the corner itself the stress has no bound. Against a mesh adapted until
+it has 470,000 unknowns. Draws the picture adaptivity.png.
+
+main_job: the largest error of the pressures of all segments of parameters/peristalsis at
+t = 0.55, against an independent program: meshes made by hand, one of them with all cells
+cut, and the same adapted by goal.
+"""
+import argparse
 import math
 import sys
 
@@ -13,9 +22,12 @@ import matplotlib.pyplot as plt
 
 from lumbricus_run import SOURCE, run_well
 
+sys.path.insert(0, str(SOURCE / "tests" / "physics"))
+from test_errors import PERISTALSIS, SEGMENT, independent  # noqa: E402
+
 CASE = SOURCE / "parameters" / "adaptive_septum" / "case.prm"
 RULE = "Adaptivity/fraction of error/Refine"
-ESTIMATORS = ("stress jump", "displacement jump")
+ESTIMATORS = ("stress jump", "displacement jump", "goal")
 
 
 def mises(row):
@@ -66,7 +78,7 @@ def draw(curves, reference):
     figure.savefig("adaptivity.png", dpi=110)
 
 
-def main():
+def septum():
     curves = {"uniform": [uniform(n) for n in range(3)]}
     for estimator in ESTIMATORS:
         curves[estimator] = [adapted(estimator, n) for n in range(1, 9)]
@@ -79,6 +91,53 @@ def main():
                   f"{100 * (pressure / reference[1] - 1):.2f} % | "
                   f"{stress:.4f} | {100 * (stress / reference[2] - 1):.2f} % |")
     draw(curves, reference)
+
+
+def main_job():
+    true = {segment: row["fluid_pressure"] for (t, segment), row in
+            independent("axisymmetric.csv").items() if t == 0.55}
+
+    def run(name, along, across, settings):
+        return run_well(PERISTALSIS / "case.prm", name, [
+            "Output/Every=0", "Time/End=0.55", "Adaptivity/Every=11",
+            f"{SEGMENT}Cells along a segment={along}",
+            f"{SEGMENT}Cells across the liquid={across}", *settings], ranks=2,
+            timeout=7200)
+
+    def row(words, result, cycle):
+        found = {int(row["segment"]): row["fluid_pressure"]
+                 for row in result.table("resets.csv")
+                 if row["t"] > 0.549 and row["cycle"] == cycle}
+        mesh = next(row for row in result.table("mesh.csv") if row["cycle"] == cycle)
+        error = max(abs(found[s] - true[s]) for s in true) / max(true.values())
+        print(f"| {words} | {mesh['unknowns']:.0f} | {100 * error:.2f} % |", flush=True)
+
+    print("\n| mesh | unknowns | largest error of a pressure |\n|---|---|---|")
+    for n in (2, 4, 6):
+        row(f"{n} cells along, {n} across",
+            run(f"job-{n}", n, n, ["Adaptivity/Cycles=1", "Adaptivity/Finest level=0"]),
+            0)
+    row("2 along, 2 across, every cell cut into eight",
+        run("job-cut", 2, 2, [
+            "Adaptivity/Cycles=1", "Adaptivity/Marking=fraction of cells",
+            "Adaptivity/fraction of cells/Refine=1"]), 1)
+    goal = run("job-goal", 2, 2, ["Adaptivity/Cycles=5", "Adaptivity/Estimator=goal",
+                                  f"{RULE}=0.6"])
+    for cycle in range(1, 6):
+        row(f"2 along, 2 across, adapted by goal {cycle} times", goal, cycle)
+
+
+TABLES = {table.__name__: table for table in (septum, main_job)}
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("tables", nargs="*", metavar="TABLE",
+                        help=", ".join(TABLES))
+    for name in parser.parse_args().tables or TABLES:
+        TABLES[name]()
 
 
 if __name__ == "__main__":
