@@ -11,7 +11,7 @@ with tables among segment, main_job, order and cost.
 """
 import argparse
 import math
-import re
+import resource
 import sys
 
 from lumbricus_run import SOURCE, run_well
@@ -106,17 +106,20 @@ def order():
 
 
 def cost():
-    """Seconds of estimates from the log, relative to all else."""
+    """Processor seconds of a run on one rank, with estimates and without."""
     header("case", "run without (s)", "an estimate (s)", "of the run")
+    every, n_steps = 5, 25
     for name in ("cavities", "case"):
-        result = run_well(PERISTALSIS / f"{name}.prm", f"cost-{name}",
-                          ["Output/Every=0", "Output/Errors=5"], N_RANKS,
-                          timeout=7200)
-        seconds, calls = re.search(
-            r"error estimates +([\d.]+) +\d+% +(\d+)", result.log).groups()
-        total = float(re.search(r"total +([\d.]+)", result.log).group(1))
-        rest, one = total - float(seconds), float(seconds) / int(calls)
-        print(f"| {name} | {rest:.1f} | {one:.2f} | {100 * one / rest:.0f} % |",
+        def seconds(errors):
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            run_well(PERISTALSIS / f"{name}.prm", f"cost-{name}-{errors}",
+                     ["Output/Every=0", f"Output/Errors={errors}"], 1, timeout=7200)
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            return sum(getattr(after, time) - getattr(before, time)
+                       for time in ("ru_utime", "ru_stime"))
+        without = seconds(0)
+        one = (seconds(every) - without) / (n_steps // every)
+        print(f"| {name} | {without:.1f} | {one:.2f} | {100 * one / without:.0f} % |",
               flush=True)
 
 

@@ -187,7 +187,7 @@ namespace lumbricus
       {
         mumps = std::make_unique<Mumps<double>>(
           body.space.communicator(),
-          Mumps<double>::Options{tangent.symmetric, true, 0.},
+          Mumps<double>::Options{tangent.symmetric, !tangent.symmetric, 0.},
           numbering);
         mumps->analyse(tangent.unknowns, 0, 0, entries);
       }

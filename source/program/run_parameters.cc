@@ -124,11 +124,6 @@ namespace lumbricus
                              "none where liquid slips along the wall. " +
                                otherwise +
                                ", or 'Interface/Coupling' to 'tied'."));
-    AssertThrow(continuation.chosen_name() == "time",
-                ExcParameter(parameter,
-                             "asks for estimates of errors, which there are at a "
-                             "given load only, not on a path. " +
-                               otherwise + ", or 'Path/Control' to 'time'."));
   }
 
 

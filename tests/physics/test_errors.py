@@ -159,16 +159,34 @@ def test_ranks_and_restart(tmp_path, name):
     assert worst(errors(one), errors(again)) < 1e-9
 
 
-@pytest.mark.parametrize("settings, word", [
-    (["Interface/Coupling=slip"], "slips along the wall"),
-    (["Path/Control=arc length", "Time/End=1"], "not on a path")])
+def test_along_a_path(tmp_path):
+    """Those of the load that a step has come to, as where it is reached in time."""
+    def rows(name, settings):
+        return run_well(HERE / "segment.prm", tmp_path / name, [
+            f"{SEGMENT}Liquid=cavity", f"{SEGMENT}Cells along a segment=2",
+            "Output/Errors=1", *TO_THE_END, *settings]).table("errors.csv")
+    row = rows("path", ["Path/Control=arc length", "Time/End=0.5"])[1]
+    t = row["t"]
+    assert 0.2 < t < 0.5
+    other = rows("time", [f"Time/End={t!r}", f"Time/First step={t / 2!r}",
+                          f"Time/Largest step={t / 2!r}"])[-1]
+    assert other["t"] == pytest.approx(t, rel=1e-14)
+    for name in NAMES:
+        error, again = row[f"{name}_error"], other[f"{name}_error"]
+        print(name, error / row[name], again / error - 1)
+        assert abs(error / row[name]) > 1e-5
+        assert again == pytest.approx(error, rel=1e-5)
+
+
 @pytest.mark.parametrize("asked", [
     ["Output/Errors=1"],
     ["Adaptivity/Every=1", "Adaptivity/Estimator=goal"]])
-def test_refused(tmp_path, asked, settings, word):
-    result = run(HERE / "segment.prm", tmp_path, [*asked, *settings])
+def test_refused_where_liquid_slips(tmp_path, asked):
+    result = run(HERE / "segment.prm", tmp_path,
+                 [*asked, "Interface/Coupling=slip"])
     assert result.exit_code == 1
-    assert asked[-1].partition("=")[0] in result.said() and word in result.said()
+    assert asked[-1].partition("=")[0] in result.said()
+    assert "slips along the wall" in result.said()
 
 
 def test_no_estimate_where_the_smaller_cells_have_none(tmp_path):

@@ -325,6 +325,21 @@ end
 
 
 
+  TEST_P(Tangents, DiagonalsAreThoseOfTheMatrices)
+  {
+    const unsigned int  n = Tangent::n_per_cell;
+    std::vector<double> K;
+    for (unsigned int i = 0; i < tangent().unknowns.n_cells(); ++i)
+      {
+        tangent().cell_matrix(i, K);
+        const auto d = tangent().diagonal(i);
+        for (unsigned int k = 0; k < n; ++k)
+          EXPECT_NEAR(d[k], K[k * n + k], 1e-13 * (1. + std::abs(d[k])));
+      }
+  }
+
+
+
   TEST(FlowingLiquid, IsStifferInMatricesThanInTheOperator)
   {
     // At rest: the operator has a ten-thousandth of the stiffness S that the liquid has
@@ -350,6 +365,9 @@ end
       {
         tangent.vmult_cell(cell.index, x.data(), flowing.data());
         tangent.cell_matrix(cell.index, K);
+        const auto d = tangent.diagonal(cell.index);
+        for (unsigned int r = 0; r < n; ++r)
+          EXPECT_NEAR(d[r], K[r * n + r], 1e-13 * (1. + std::abs(d[r])));
         double largest = 0.;
         for (unsigned int r = 0; r < n; ++r)
           {

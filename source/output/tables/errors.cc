@@ -19,8 +19,8 @@ namespace lumbricus
                         "[-] After every so many load steps estimate by how "
                         "much lengths, radii and pressures of segments are off "
                         "since cells are as large as they are, and write that "
-                        "to errors.csv; 0 for never. Takes the time of some "
-                        "five load steps.",
+                        "to errors.csv; 0 for never. Takes the time of "
+                        "three or four load steps.",
                         dealii::Patterns::Integer(0));
     }
 
