@@ -163,6 +163,21 @@ namespace lumbricus
 
 
 
+  std::optional<unsigned int>
+  ChainModel::order_of_steps() const
+  {
+    const Anatomy &anatomy = parameters.anatomy;
+    if (!surface_terms.histories().empty() || muscles_feel_speed(anatomy) ||
+        cavities.something_flows() ||
+        (anatomy.has_liquid() && parameters.reset_iteration.forgets_volume()))
+      return 1;
+    if (anatomy.n_viscous_branches() > 0)
+      return 2;
+    return {};
+  }
+
+
+
   void
   ChainModel::set_to(const State &state, const LoadTime &t)
   {

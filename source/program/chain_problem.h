@@ -15,6 +15,7 @@
 #include <memory>
 #include <string>
 
+#include "double_steps.h"
 #include "error_estimates.h"
 #include "locking_watch.h"
 
@@ -132,6 +133,7 @@ namespace lumbricus
     dealii::TimerOutput      timer;
     ChainModel               model;
     ErrorEstimates           error_estimates;
+    DoubleSteps              double_steps;
     RunWatch                 watch;
     LockingWatch             locking_watch;
     std::unique_ptr<Results> results;

@@ -4,6 +4,7 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/core/out_of_memory.h>
+#include <lumbricus/discretization/state_beside.h>
 
 #include <limits>
 
@@ -38,14 +39,16 @@ namespace lumbricus
         with_memory_message(model.space.communicator(), [&]() {
           if (finer == nullptr)
             finer = std::make_unique<FinerModel>(model);
-          better = finer->measure(state);
+          better = finer->measure(without_state_beside(state));
         });
         for (unsigned int s = 0; s < errors.size(); ++s)
           errors[s] = {better.measures[s].length - solve.measures[s].length,
                        better.measures[s].mid_radius -
                          solve.measures[s].mid_radius,
                        better.segments[s].mean_pressure() -
-                         solve.segments[s].mean_pressure()};
+                         solve.segments[s].mean_pressure(),
+                       better.measures[s].middle() -
+                         solve.measures[s].middle()};
       }
     catch (const dealii::ExceptionBase &exception)
       {
@@ -57,7 +60,7 @@ namespace lumbricus
             << "\n";
         reinit();
         const double none = std::numeric_limits<double>::quiet_NaN();
-        errors.assign(errors.size(), {none, none, none});
+        errors.assign(errors.size(), {none, none, none, none});
       }
     return errors;
   }

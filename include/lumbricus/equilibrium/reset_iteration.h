@@ -39,6 +39,14 @@ namespace lumbricus
       std::vector<double>          divergence; ///< eta
     };
 
+    /** Whether a reset forgets by how much the volume has changed, so that it
+     * matters how often there is one. */
+    bool
+    forgets_volume() const
+    {
+      return mode == "full";
+    }
+
     /** Called after every solve, with which segments are reset then. */
     using Listener =
       std::function<void(const Solve &, const std::vector<bool> &)>;

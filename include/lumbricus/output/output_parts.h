@@ -61,6 +61,10 @@ namespace lumbricus
     bool
     asks_for_errors(const unsigned int number) const;
 
+    /** Whether any of these tables needs StepRecord::errors_of_steps. */
+    bool
+    asks_for_errors_of_steps() const;
+
     /** The arrays of all fields, in the order of Field::place(). After
      * initialize(). */
     const std::vector<FieldArray> &

@@ -58,6 +58,14 @@ namespace lumbricus
       return false;
     }
 
+    /** Whether write() reads StepRecord::errors_of_steps, which are not estimated
+     * otherwise. */
+    virtual bool
+    asks_for_errors_of_steps() const
+    {
+      return false;
+    }
+
     /** The names of its columns. */
     virtual std::vector<std::string>
     columns() const = 0;

@@ -16,6 +16,7 @@
 #include <deal.II/base/timer.h>
 #include <deal.II/distributed/tria.h>
 
+#include <optional>
 #include <vector>
 
 namespace lumbricus
@@ -59,6 +60,12 @@ namespace lumbricus
      * has. */
     State
     rest_state() const;
+
+    /** The order of accuracy of load steps: 2 where the state remembers nothing from
+     * step to step but what viscous branches do, 1 where it remembers more, and
+     * nothing where how long they are makes no difference. */
+    std::optional<unsigned int>
+    order_of_steps() const;
 
     /** Make this the model of @p state under the loads at @p t, ready to be
      * linearised there. Collective. */
