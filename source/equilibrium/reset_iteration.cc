@@ -86,6 +86,16 @@ namespace lumbricus
 
 
 
+  ResetIteration
+  ResetIteration::with_least(const unsigned int n) const
+  {
+    ResetIteration other = *this;
+    other.least          = n;
+    return other;
+  }
+
+
+
   unsigned int
   ResetIteration::Report::n_newton_iterations() const
   {

@@ -178,6 +178,14 @@ namespace lumbricus
 
 
 
+  bool
+  ChainModel::liquid_flows() const
+  {
+    return parameters.reset_iteration.lets_flow(reset_model);
+  }
+
+
+
   void
   ChainModel::set_to(const State &state, const LoadTime &t)
   {
@@ -226,6 +234,18 @@ namespace lumbricus
                   "within the step: this is another equilibrium, "
                   "to which nothing leads"));
     return report;
+  }
+
+
+
+  ResetIteration::Report
+  ChainModel::reset_again(const State &state, const unsigned int n)
+  {
+    set_to(state);
+    State after = state;
+    return parameters.reset_iteration.with_least(n).solve(after,
+                                                          state.solution,
+                                                          reset_model);
   }
 
 
@@ -355,8 +375,7 @@ namespace lumbricus
   ChainModel::linearise_at(const State &state)
   {
     set_to(state);
-    const bool flows = parameters.reset_iteration.lets_flow(reset_model);
-    references.let_liquid_flow(flows);
+    references.let_liquid_flow(liquid_flows());
     equilibrium.linearise({state.solution, state.globals});
     references.let_liquid_flow(false);
   }

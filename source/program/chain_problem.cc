@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "mesh_adaptation.h"
+#include "reset_errors.h"
 #include "run_log.h"
 #include "stride_warning.h"
 
@@ -236,6 +237,12 @@ namespace lumbricus
                                      log);
         record.errors_of_steps =
           double_steps.errors(next, record.reports().back()->solves.back(), log);
+        if (parameters.output_parts.asks_for_errors_of_resets(record.number))
+          record.errors_of_resets =
+            errors_of_resets(model,
+                             next,
+                             record.reports().back()->solves.back(),
+                             log);
         model.end_step(next);
         charge(record, before);
         state = next;

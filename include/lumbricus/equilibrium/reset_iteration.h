@@ -47,6 +47,10 @@ namespace lumbricus
       return mode == "full";
     }
 
+    /** The same, but for at least @p n resets of all liquid in one load step. */
+    ResetIteration
+    with_least(const unsigned int n) const;
+
     /** Called after every solve, with which segments are reset then. */
     using Listener =
       std::function<void(const Solve &, const std::vector<bool> &)>;

@@ -66,6 +66,14 @@ namespace lumbricus
       return false;
     }
 
+    /** Whether write() reads StepRecord::errors_of_resets after step @p number, which
+     * are not estimated otherwise. */
+    virtual bool
+    asks_for_errors_of_resets(const unsigned int /*number*/) const
+    {
+      return false;
+    }
+
     /** The names of its columns. */
     virtual std::vector<std::string>
     columns() const = 0;

@@ -67,6 +67,11 @@ namespace lumbricus
     std::optional<unsigned int>
     order_of_steps() const;
 
+    /** Whether liquid flows while Newton's method goes on, see
+     * ResetIteration::lets_flow(). */
+    bool
+    liquid_flows() const;
+
     /** Make this the model of @p state under the loads at @p t, ready to be
      * linearised there. Collective. */
     void
@@ -83,6 +88,12 @@ namespace lumbricus
      */
     ResetIteration::Report
     solve(State &state);
+
+    /** What @p n more resets of all liquid, or a few more than that, make of
+     * @p state, which solve() has found: its first solve is that of the state as
+     * it is. Leaves the model at them. Throws ExcNotConverged. Collective. */
+    ResetIteration::Report
+    reset_again(const State &state, const unsigned int n);
 
     /** The forces of all loads and supports at @p state, which solve() has
      * found. Collective. */

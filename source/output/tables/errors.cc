@@ -80,12 +80,20 @@ namespace lumbricus
                         "force-velocity), and write that to errors.csv after "
                         "about every other step: by the same run in steps twice "
                         "as long, which takes up to half as much time again.");
+      prm.add_parameter("Errors of resets",
+                        of_resets_every,
+                        "[-] After every so many load steps estimate by how "
+                        "much they are off since resets of the liquid end at "
+                        "Reset/Tolerance, and write that to errors.csv, by two "
+                        "resets more; 0 for never. The errors are 0 where "
+                        "liquid flows, see Reset/Every.",
+                        dealii::Patterns::Integer(0));
     }
 
     bool
     is_wanted() const override
     {
-      return every > 0 || of_steps;
+      return every > 0 || of_steps || of_resets_every > 0;
     }
 
     bool
@@ -98,6 +106,12 @@ namespace lumbricus
     asks_for_errors_of_steps() const override
     {
       return of_steps;
+    }
+
+    bool
+    asks_for_errors_of_resets(const unsigned int number) const override
+    {
+      return of_resets_every > 0 && number % of_resets_every == 0;
     }
 
     std::vector<std::string>
@@ -159,16 +173,19 @@ namespace lumbricus
         kinds.push_back({"", &StepRecord::errors});
       if (of_steps)
         kinds.push_back({"_of_steps", &StepRecord::errors_of_steps});
+      if (of_resets_every > 0)
+        kinds.push_back({"_of_resets", &StepRecord::errors_of_resets});
       return kinds;
     }
 
-    unsigned int every    = 0;
-    bool         of_steps = false;
+    unsigned int every           = 0;
+    bool         of_steps        = false;
+    unsigned int of_resets_every = 0;
   };
 
   static const Register<Table, ErrorsTable>
     errors_table("errors",
                  "lengths, radii, pressures and places of segments with their "
-                 "estimated errors, where Errors or Errors of steps asks for "
-                 "them.");
+                 "estimated errors, where Errors, Errors of steps or Errors "
+                 "of resets asks for them.");
 } // namespace lumbricus
