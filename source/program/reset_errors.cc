@@ -65,6 +65,9 @@ namespace lumbricus
         with_memory_message(model.space.communicator(), [&]() {
           more = model.reset_again(state, n_resets);
         });
+        // Where resets are turned off there are none.
+        if (more.solves.size() <= n_resets)
+          return errors;
         std::vector<Solve> solves = {solve};
         solves.insert(solves.end(), more.solves.begin() + 1, more.solves.end());
         set_errors(
