@@ -324,6 +324,7 @@ namespace lumbricus
     dealii::TimerOutput::Scope scope(timer, "linear solver");
     const Vector &b = right_hand_side();
     dx.solution.reinit(b, true);
+    dx.globals.clear(); // those of a state that are no unknowns do not change
     if (!is_bordered())
       linear_solver.solve(dx.solution, b, tolerance);
     else

