@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/displacement_before.h>
-#include <lumbricus/discretization/nodal_displacement.h>
+
+#include "nodal_displacement.h"
 
 namespace lumbricus
 {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <lumbricus/discretization/nodal_displacement.h>
 #include <lumbricus/discretization/same_cell.h>
 
 #include <deal.II/base/types.h>
 
 #include <vector>
+
+#include "nodal_displacement.h"
 
 namespace lumbricus
 {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/core/nodal_history.h>
-#include <lumbricus/discretization/nodal_displacement.h>
 #include <lumbricus/discretization/state_beside.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <string>
+
+#include "nodal_displacement.h"
 
 namespace lumbricus
 {

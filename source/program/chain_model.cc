@@ -168,7 +168,7 @@ namespace lumbricus
   {
     const Anatomy &anatomy = parameters.anatomy;
     if (!surface_terms.histories().empty() || muscles_feel_speed(anatomy) ||
-        cavities.something_flows() ||
+        cavities.something_flows() || parameters.interface_coupling.slips() ||
         (anatomy.has_liquid() && parameters.reset_iteration.forgets_volume()))
       return 1;
     if (anatomy.n_viscous_branches() > 0)

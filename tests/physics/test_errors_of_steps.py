@@ -60,23 +60,28 @@ def same(some, others, tolerance=1e-9):
                                                  abs=tolerance * scale), key
 
 
-@pytest.mark.parametrize("case, size, end, settings", [
-    ("viscous_segment", 0.025, 0.3, []),
-    ("viscous_segment", 0.02, 0.3, ["Time/Result interval=0.05"]),
-    ("viscous_segment", 0.025, 0.3, HILL),
-    ("pores", 0.025, 0.25, COARSE),
-    ("burrow", 0.15, 1.8, DRAG)],
-    ids=["viscosity", "steps of unequal length", "force-velocity", "pores", "drag"])
-def test_steps(tmp_path, case, size, end, settings):
+VISCOUS, PORES, BURROW = (CASES / name / "case.prm"
+                          for name in ("viscous_segment", "pores", "burrow"))
+
+
+@pytest.mark.parametrize("file, size, end, settings", [
+    (VISCOUS, 0.025, 0.3, COARSE),
+    (VISCOUS, 0.02, 0.3, [*COARSE, "Time/Result interval=0.05"]),
+    (VISCOUS, 0.025, 0.3, [*COARSE, *HILL]),
+    (PORES, 0.025, 0.25, COARSE),
+    (BURROW, 0.15, 1.8, DRAG),
+    (HERE / "segment.prm", 0.25, 0.75, ["Interface/Coupling=slip"])],
+    ids=["viscosity", "steps of unequal length", "force-velocity", "pores", "drag",
+         "slip"])
+def test_steps(tmp_path, file, size, end, settings):
     settings = [*STEPS, f"Time/End={end}", *settings]
-    file = CASES / case / "case.prm"
     result = run_well(file, tmp_path / "steps", [*settings, *step(size)])
     assert "errors of steps, the largest of all segments: length " in result.log
     truth = at(errors(run_well(file, tmp_path / "short", [
         *settings, *step(size / 8)])))
     for name in NAMES:
         quotient = effectivity(errors(result), truth, name, "_of_steps")
-        print(case, name, quotient)
+        print(name, quotient)
         assert 0.5 < quotient < 2, name
 
 
@@ -84,7 +89,7 @@ def test_ranks_and_restart(tmp_path):
     """Also after a restart in the middle of a long step; and without estimates all
     else is the same."""
     def pores(name, settings, ranks):
-        return run_well(CASES / "pores" / "case.prm", tmp_path / name, [
+        return run_well(PORES, tmp_path / name, [
             *STEPS, *COARSE, *TO_THE_END, "Time/End=0.2", "Checkpoints/Steps=3",
             *settings], ranks)
 
@@ -105,13 +110,13 @@ def test_ranks_and_restart(tmp_path):
 def test_adapted_meshes(tmp_path):
     """Cells of liquid too are cut and merged while the long steps go along."""
     def segment(name, settings, ranks):
-        return run_well(CASES / "viscous_segment" / "case.prm", tmp_path / name, [
+        return run_well(VISCOUS, tmp_path / name, [
             *STEPS, *COARSE, *TO_THE_END, f"{CHAIN}Liquid=meshed", "Time/End=0.3",
             *settings], ranks)
 
-    adapted = ["Adaptivity/Every=3", "Adaptivity/Marking=fraction of cells",
+    adapted = ["Adaptivity/Every=5", "Adaptivity/Marking=fraction of cells",
                "Adaptivity/fraction of cells/Refine=0.1",
-               "Adaptivity/fraction of cells/Merge=0.1"]
+               "Adaptivity/fraction of cells/Merge=0.3"]
     plain = segment("plain", [], 1)
     runs = [segment(str(ranks), adapted, ranks) for ranks in (1, 2)]
     changes = runs[0].table("mesh.csv")[1:]
@@ -122,7 +127,7 @@ def test_adapted_meshes(tmp_path):
         largest = [max(abs(row[f"{name}_error_of_steps"]) for row in errors(result))
                    for result in (plain, runs[0])]
         print(name, largest)
-        assert largest[1] == pytest.approx(largest[0], rel=0.3)
+        assert largest[1] == pytest.approx(largest[0], rel=0.5)
 
 
 def test_nothing_remembers(tmp_path):
@@ -135,7 +140,7 @@ def test_nothing_remembers(tmp_path):
 
 def test_long_steps_that_do_not_converge(tmp_path):
     """The run goes on and says so; there is no estimate from there on."""
-    result = run_well(CASES / "viscous_segment" / "case.prm", tmp_path, [
+    result = run_well(VISCOUS, tmp_path, [
         *STEPS, *COARSE, *step(0.05), "Time/End=0.05", "Newton/Most iterations=2",
         "Newton/Predictor order=0"])
     assert "no errors of steps from here on" in result.log
