@@ -117,17 +117,18 @@ def test_adapted_meshes(tmp_path):
     adapted = ["Adaptivity/Every=5", "Adaptivity/Marking=fraction of cells",
                "Adaptivity/fraction of cells/Refine=0.1",
                "Adaptivity/fraction of cells/Merge=0.3"]
-    plain = segment("plain", [], 1)
     runs = [segment(str(ranks), adapted, ranks) for ranks in (1, 2)]
     changes = runs[0].table("mesh.csv")[1:]
     assert sum(row["refined"] for row in changes) > 0
     assert sum(row["coarsened"] for row in changes) > 0
     same(errors(runs[0]), errors(runs[1]))
+    # A new mesh moves the body, which what is viscous takes for a motion of that step.
+    # A memory of the long steps that is lost is tenths.
     for name in NAMES:
-        largest = [max(abs(row[f"{name}_error_of_steps"]) for row in errors(result))
-                   for result in (plain, runs[0])]
+        largest = max(abs(row[f"{name}_error_of_steps"] / row[name])
+                      for row in errors(runs[0]))
         print(name, largest)
-        assert largest[1] == pytest.approx(largest[0], rel=0.5)
+        assert 0 < largest < 1e-3
 
 
 def test_nothing_remembers(tmp_path):
