@@ -73,6 +73,7 @@ namespace lumbricus
     double_steps.begin(first_state);
     if (checkpoint != nullptr)
       {
+        double_steps.check(*checkpoint, first_state);
         first_state =
           checkpoint->read_state(model.space, first_state.outline());
         continue_path(*checkpoint);

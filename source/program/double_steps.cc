@@ -69,6 +69,21 @@ namespace lumbricus
 
 
 
+  void
+  DoubleSteps::check(const Checkpoint &checkpoint, const State &state) const
+  {
+    const bool has_them = checkpoint.progress().globals.count(of_steps) > 0;
+    AssertThrow(has_them == (state.globals.count(of_steps) > 0),
+                ExcParameter("Output/Errors of steps",
+                             "has to be as it was where the run began, '" +
+                               std::string(has_them ? "true" : "false") +
+                               "': the checkpoint '" + checkpoint.path() +
+                               "' has " + (has_them ? "" : "no ") +
+                               "steps twice as long to go on with."));
+  }
+
+
+
   std::string
   DoubleSteps::note() const
   {

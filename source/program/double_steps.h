@@ -34,6 +34,11 @@ namespace lumbricus
     void
     begin(State &state) const;
 
+    /** Throw ExcInput where @p checkpoint, of which the run that begins at @p state is
+     * to go on, has long steps and this run has none, or the other way round. */
+    void
+    check(const Checkpoint &checkpoint, const State &state) const;
+
     /**
      * The errors of the numbers of all segments at @p state, which ends a load step
      * and for which the model has found @p solve, before ChainModel::end_step(): none

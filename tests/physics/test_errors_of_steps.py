@@ -6,7 +6,7 @@ import math
 import pathlib
 
 import pytest
-from lumbricus_run import SOURCE, go_on, run, run_well
+from lumbricus_run import SOURCE, go_on, restart, run, run_well
 from test_invariance import TO_THE_END
 
 HERE = pathlib.Path(__file__).parent
@@ -70,7 +70,7 @@ VISCOUS, PORES, BURROW = (CASES / name / "case.prm"
     (VISCOUS, 0.025, 0.3, [*COARSE, *HILL]),
     (PORES, 0.025, 0.25, COARSE),
     (BURROW, 0.15, 1.8, DRAG),
-    (HERE / "segment.prm", 0.25, 0.75, ["Interface/Coupling=slip"])],
+    (HERE / "segment.prm", 0.25, 0.5, ["Interface/Coupling=slip"])],
     ids=["viscosity", "steps of unequal length", "force-velocity", "pores", "drag",
          "slip"])
 def test_steps(tmp_path, file, size, end, settings):
@@ -98,6 +98,9 @@ def test_ranks_and_restart(tmp_path):
     for other in others:
         same(errors(one), errors(other))
     pores("half", ["Time/End=0.125"], 2)
+    other = restart(tmp_path / "half", ["Time/End=0.2", "Output/Errors of steps=false"])
+    assert other.exit_code == 1
+    assert "Output/Errors of steps" in other.said() and "'true'" in other.said()
     same(errors(one), errors(go_on(tmp_path / "half", ["Time/End=0.2"], 1)))
 
     without = pores("without", ["Output/Errors of steps=false"], 1)
