@@ -55,7 +55,9 @@ def draw_errors(run: RunFolder, file_name: pathlib.Path) -> None:
         axes.set_xticks(numbers[::max(1, len(numbers) // 10)])
         axes.tick_params(labelsize=7)
         axes.grid(linewidth=0.3, axis="y")
-    grid[0].set_ylabel("error [%]", fontsize=8)
-    grid[0].legend(fontsize=6)
+    if len(sources) > 1:
+        grid[0].legend(fontsize=6)
+    grid[0].set_ylabel("error [%]" if len(sources) > 1 else
+                       f"{SOURCES[sources[0]]} would add [%]", fontsize=8)
     figure.suptitle(run.figure_title(), fontsize=11)
     save(figure, file_name)
