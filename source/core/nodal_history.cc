@@ -27,7 +27,8 @@ namespace lumbricus
 
 
 
-    const std::string boundary = "boundary:", branch = "branch:";
+    const std::string boundary = "boundary:", branch = "branch:",
+                      beside = "beside:";
 
 
 
@@ -109,10 +110,26 @@ namespace lumbricus
 
 
 
+  std::string
+  NodalHistory::of_state_beside(const std::string &name)
+  {
+    return beside + name;
+  }
+
+
+
+  bool
+  NodalHistory::is_of_state_beside(const std::string &name)
+  {
+    return begins_with(name, beside);
+  }
+
+
+
   bool
   NodalHistory::is_known(const std::string &name)
   {
     return is_name(name) || begins_with(name, boundary) ||
-           begins_with(name, branch);
+           begins_with(name, branch) || begins_with(name, beside);
   }
 } // namespace lumbricus

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <lumbricus/discretization/displacement_before.h>
-#include <lumbricus/discretization/same_cell.h>
 
-#include <deal.II/base/types.h>
-
-#include <vector>
+#include "nodal_displacement.h"
 
 namespace lumbricus
 {
@@ -36,21 +33,6 @@ namespace lumbricus
   {
     if (!way_counts(body.anatomy))
       return;
-    const MixedSpace &space    = body.space;
-    const Vector      relevant = space.with_ghosts(state.solution);
-    Vector           &u        = displacement_before.in(state);
-    std::vector<dealii::types::global_dof_index> indices(
-      space.fe.n_dofs_per_cell()),
-      rest_indices(space.rest_fe.n_dofs_per_cell());
-    for (const OwnedCell cell : body.owned_cells())
-      {
-        cell.iterator->get_dof_indices(indices);
-        same_cell(cell.iterator, space.rest_dof_handler)
-          ->get_dof_indices(rest_indices);
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int n = 0; n < MixedSpace::n_nodes; ++n)
-            u[rest_indices[space.rest_dof[c][n]]] =
-              relevant(indices[space.displacement_dof[c][n]]);
-      }
+    write_history(body.space, state.solution, displacement_before.in(state));
   }
 } // namespace lumbricus

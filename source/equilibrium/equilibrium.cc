@@ -329,6 +329,7 @@ namespace lumbricus
     for (double &entry : c)
       entry *= -1.;
     linear_solver.solve(dx.solution, dg, b, c, border, tolerance);
+    // Those of a state that are no unknowns do not change.
     dx.globals = border.write(dg);
     constrain(dx.solution);
   }

@@ -86,6 +86,16 @@ namespace lumbricus
 
 
 
+  ResetIteration
+  ResetIteration::with_least(const unsigned int n) const
+  {
+    ResetIteration other = *this;
+    other.least          = n;
+    return other;
+  }
+
+
+
   unsigned int
   ResetIteration::Report::n_newton_iterations() const
   {
@@ -291,7 +301,7 @@ namespace lumbricus
   {
     const MixedSpace &space          = body.space;
     const Vector      relevant       = space.with_ghosts(state.solution);
-    const bool        forgets_volume = mode == "full";
+    const bool        volume_too     = forgets_volume();
     Vector           &u_ref          = rest_displacement.in(state);
     Vector           &u_vol          = volume_displacement.in(state);
     std::vector<dealii::types::global_dof_index> indices(
@@ -311,7 +321,7 @@ namespace lumbricus
               const double u = relevant(indices[space.displacement_dof[c][n]]);
               const auto   index = rest_indices[space.rest_dof[c][n]];
               u_ref(index)       = u;
-              if (forgets_volume)
+              if (volume_too)
                 u_vol(index) = u;
             }
       }

@@ -178,6 +178,28 @@ namespace lumbricus
 
 
 
+  bool
+  OutputParts::asks_for_errors_of_steps() const
+  {
+    const auto wanted = tables();
+    return std::any_of(wanted.begin(), wanted.end(), [](const auto &entry) {
+      return entry.second->asks_for_errors_of_steps();
+    });
+  }
+
+
+
+  bool
+  OutputParts::asks_for_errors_of_resets(const unsigned int number) const
+  {
+    const auto wanted = tables();
+    return std::any_of(wanted.begin(), wanted.end(), [&](const auto &entry) {
+      return entry.second->asks_for_errors_of_resets(number);
+    });
+  }
+
+
+
   const std::vector<FieldArray> &
   OutputParts::field_arrays() const
   {

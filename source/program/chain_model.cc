@@ -163,6 +163,29 @@ namespace lumbricus
 
 
 
+  std::optional<unsigned int>
+  ChainModel::order_of_steps() const
+  {
+    const Anatomy &anatomy = parameters.anatomy;
+    if (!surface_terms.histories().empty() || muscles_feel_speed(anatomy) ||
+        cavities.something_flows() || parameters.interface_coupling.slips() ||
+        (anatomy.has_liquid() && parameters.reset_iteration.forgets_volume()))
+      return 1;
+    if (anatomy.n_viscous_branches() > 0)
+      return 2;
+    return {};
+  }
+
+
+
+  bool
+  ChainModel::liquid_flows() const
+  {
+    return parameters.reset_iteration.lets_flow(reset_model);
+  }
+
+
+
   void
   ChainModel::set_parts_to(const State &state, const LoadTime &t)
   {
@@ -216,6 +239,18 @@ namespace lumbricus
                   "within the step: this is another equilibrium, "
                   "to which nothing leads"));
     return report;
+  }
+
+
+
+  ResetIteration::Report
+  ChainModel::reset_again(const State &state, const unsigned int n)
+  {
+    set_to(state);
+    State after = state;
+    return parameters.reset_iteration.with_least(n).solve(after,
+                                                          state.solution,
+                                                          reset_model);
   }
 
 
@@ -346,8 +381,7 @@ namespace lumbricus
   {
     const Unknowns x{state.solution, state.globals};
     set_to(state);
-    const bool flows = parameters.reset_iteration.lets_flow(reset_model);
-    references.let_liquid_flow(flows);
+    references.let_liquid_flow(liquid_flows());
     if (surface_terms.may_slide())
       equilibrium.residual(x);
     const bool valid = equilibrium.linearise(x);

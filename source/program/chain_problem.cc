@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "mesh_adaptation.h"
+#include "reset_errors.h"
 #include "run_log.h"
 #include "stride_warning.h"
 
@@ -27,6 +28,7 @@ namespace lumbricus
             dealii::TimerOutput::wall_times)
     , model(parameters, timer, comm)
     , error_estimates(model)
+    , double_steps(model, parameters.output_parts.asks_for_errors_of_steps())
     , watch(parameters, log, run_timer)
   {}
 
@@ -58,7 +60,8 @@ namespace lumbricus
         << "\n"
         << parameters.unit_check.warnings(parameters.anatomy)
         << StiffnessRatio(parameters.anatomy).warning()
-        << fibre_warnings(parameters.anatomy) << table_notes;
+        << fibre_warnings(parameters.anatomy) << double_steps.note()
+        << table_notes;
   }
 
 
@@ -66,18 +69,19 @@ namespace lumbricus
   void
   ChainProblem::prepare(RunFolder &folder, const Checkpoint *checkpoint)
   {
+    first_state = model.rest_state();
+    double_steps.begin(first_state);
     if (checkpoint != nullptr)
       {
+        double_steps.check(*checkpoint, first_state);
         first_state =
-          checkpoint->read_state(model.space, model.rest_state().outline());
+          checkpoint->read_state(model.space, first_state.outline());
         continue_path(*checkpoint);
         folder.continue_tables(checkpoint->progress().tables);
         so_far.step    = checkpoint->progress().step;
         so_far.time    = checkpoint->progress().time;
         so_far.seconds = checkpoint->progress().elapsed_seconds;
       }
-    else
-      first_state = model.rest_state();
     so_far.end_time = parameters.load_stepping.end_time();
     results = std::make_unique<Results>(folder,
                                         model.body,
@@ -240,6 +244,14 @@ namespace lumbricus
             error_estimates.estimate(next,
                                      record.reports().back()->solves.back(),
                                      log);
+        record.errors_of_steps =
+          double_steps.errors(next, record.reports().back()->solves.back(), log);
+        if (parameters.output_parts.asks_for_errors_of_resets(record.number))
+          record.errors_of_resets =
+            errors_of_resets(model,
+                             next,
+                             record.reports().back()->solves.back(),
+                             log);
         model.end_step(next);
         charge(record, before);
         state = next;

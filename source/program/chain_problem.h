@@ -16,6 +16,7 @@
 #include <memory>
 #include <string>
 
+#include "double_steps.h"
 #include "error_estimates.h"
 #include "locking_watch.h"
 
@@ -137,6 +138,7 @@ namespace lumbricus
     dealii::TimerOutput      timer;
     ChainModel               model;
     ErrorEstimates           error_estimates;
+    DoubleSteps              double_steps;
     RunWatch                 watch;
     LockingWatch             locking_watch;
     std::unique_ptr<Results> results;

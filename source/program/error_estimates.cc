@@ -32,6 +32,7 @@ namespace lumbricus
     const Uninterrupted        uninterrupted;
     dealii::TimerOutput::Scope scope(model.timer, "error estimates");
     std::vector<SegmentError>  errors(solve.segments.size());
+    const double               none = std::numeric_limits<double>::quiet_NaN();
     try
       {
         with_memory_message(model.space.communicator(), [&]() {
@@ -50,8 +51,7 @@ namespace lumbricus
         log << "        no estimate of errors: " << plain_message(exception)
             << "\n";
         reinit();
-        const double none = std::numeric_limits<double>::quiet_NaN();
-        errors.assign(errors.size(), {none, none, none});
+        errors.assign(errors.size(), {none, none, none, none});
       }
     return errors;
   }

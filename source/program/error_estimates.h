@@ -14,7 +14,7 @@
 namespace lumbricus
 {
   /**
-   * Estimates what the mesh makes of the lengths, radii and pressures of segments:
+   * Estimates what the mesh makes of the lengths, radii, pressures and places of segments:
    * how they would change with cells of half the size, to first order,
    *
    *   e = - K^(-1) r(P u),   error of J = J(P u + e) - J(u),
@@ -29,7 +29,8 @@ namespace lumbricus
     explicit ErrorEstimates(ChainModel &model);
 
     /** Those of all segments at @p state, where the model has found @p solve; NaN,
-     * with a word in @p log, where there is no estimate. Collective. */
+     * with a word in @p log, where there is no estimate; NaN for places where the
+     * skin remembers something. Collective. */
     std::vector<SegmentError>
     estimate(const State                 &state,
              const ResetIteration::Solve &solve,

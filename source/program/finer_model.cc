@@ -2,11 +2,13 @@
 #include "finer_model.h"
 
 #include <lumbricus/core/exceptions.h>
+#include <lumbricus/discretization/state_beside.h>
 #include <lumbricus/linear/bordered_system.h>
 #include <lumbricus/measures/section_measures.h>
 #include <lumbricus/measures/segment_state.h>
 
 #include <iostream>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -96,8 +98,9 @@ namespace lumbricus
   FinerModel::errors(const State &state, const ResetIteration::Solve &solve)
   {
     model.linearise_at(state);
-    prolongated = finer.space.zero_state(state.outline());
-    cells->prolongate(state, prolongated);
+    const State alone = without_state_beside(state);
+    prolongated       = finer.space.zero_state(alone.outline());
+    cells->prolongate(alone, prolongated);
     State on_finer = prolongated;
     AssertThrow(finer.linearise_at(on_finer),
                 ExcNotConverged("On a finer mesh " +
@@ -126,11 +129,17 @@ namespace lumbricus
                        increment.globals);
     const auto measures =
       section_measures(finer.body, finer.space.with_ghosts(on_finer.solution));
+    // Where the skin hangs on to something the body is where all steps before
+    // have brought it, which one increment does not know.
+    const bool knows_place = model.surface_terms.histories().empty();
     std::vector<SegmentError> errors;
     for (unsigned int s = 0; s < measures.size(); ++s)
       errors.push_back({measures[s].length - solve.measures[s].length,
                         measures[s].mid_radius - solve.measures[s].mid_radius,
-                        pressures[s]});
+                        pressures[s],
+                        knows_place ?
+                          measures[s].middle() - solve.measures[s].middle() :
+                          std::numeric_limits<double>::quiet_NaN()});
     return errors;
   }
 

@@ -6,6 +6,7 @@
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/core/interruption.h>
 #include <lumbricus/core/out_of_memory.h>
+#include <lumbricus/discretization/state_beside.h>
 #include <lumbricus/discretization/state_record.h>
 #include <lumbricus/measures/rest_volume.h>
 
@@ -125,8 +126,15 @@ namespace lumbricus
     void
     change_mesh(ChainModel &model, State &state)
     {
-      const IsSlipInterface slips   = model.is_slip_interface();
-      const auto            volumes = rest_volumes(model.body, state);
+      const IsSlipInterface slips       = model.is_slip_interface();
+      const auto            volumes     = rest_volumes(model.body, state);
+      const bool            has_beside  = has_state_beside(state);
+      const auto            of_beside   = [&]() {
+        return state_beside(model.space, state);
+      };
+      const auto volumes_beside = has_beside ?
+                                    rest_volumes(model.body, of_beside()) :
+                                    std::vector<double>();
       do
         change_mesh(
           model.triangulation,
@@ -139,6 +147,11 @@ namespace lumbricus
       model.reinit();
       // Where cells were merged, the liquid's stress-free shape is another one.
       set_rest_volumes(volumes, model.body, state);
+      if (!has_beside)
+        return;
+      State beside = of_beside();
+      set_rest_volumes(volumes_beside, model.body, beside);
+      put_beside(model.space, beside, state);
     }
     // What keeps an action from being done, if anything does: no convergence, an
     // expression without a value at a new point, too little memory for so many

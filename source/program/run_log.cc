@@ -10,6 +10,59 @@
 
 namespace lumbricus
 {
+  namespace
+  {
+    // A line with the largest errors @p errors of the numbers of @p solve; nothing
+    // where there are none.
+    std::string
+    line_of_errors(const std::string               &what,
+                   const std::vector<SegmentError> &errors,
+                   const ResetIteration::Solve     &solve)
+    {
+      // The largest of all segments that have the number; NaN where none has.
+      const auto largest = [&](const auto &of_segment) {
+        double value = std::numeric_limits<double>::quiet_NaN();
+        for (unsigned int s = 0; s < errors.size(); ++s)
+          value = std::fmax(value, std::abs(of_segment(s)));
+        return value;
+      };
+      const double length = largest([&](const unsigned int s) {
+        return errors[s].length / solve.measures[s].length;
+      });
+      const double radius = largest([&](const unsigned int s) {
+        return errors[s].mid_radius / solve.measures[s].mid_radius;
+      });
+      const double pressure = largest([&](const unsigned int s) {
+        return solve.segments[s].mean_pressure();
+      });
+      const double of_pressure =
+        largest([&](const unsigned int s) { return errors[s].pressure; });
+      const double place =
+        largest([&](const unsigned int s) { return errors[s].position; });
+
+      std::ostringstream parts;
+      parts << std::setprecision(2);
+      const auto add = [&](const std::string &name,
+                           const double       value,
+                           const std::string &unit) {
+        if (std::isfinite(value))
+          parts << (parts.str().empty() ? "" : ", ") << name << " " << value
+                << unit;
+      };
+      add("length", 100. * length, "%");
+      add("radius", 100. * radius, "%");
+      if (pressure > 0.)
+        add("pressure", 100. * of_pressure / pressure, "%");
+      add("place", place, " mm");
+      return parts.str().empty() ?
+               "" :
+               "        " + what + ", the largest of all segments: " +
+                 parts.str() + "\n";
+    }
+  } // namespace
+
+
+
   void
   log_header(Log &log)
   {
@@ -65,42 +118,10 @@ namespace lumbricus
   void
   log_errors(Log &log, const StepRecord &step)
   {
-    if (step.errors.empty())
-      return;
     const auto &solve = step.reports().back()->solves.back();
-    // The largest of all segments that have the number; NaN where none has.
-    const auto largest = [&](const auto &of_segment) {
-      double value = std::numeric_limits<double>::quiet_NaN();
-      for (unsigned int s = 0; s < step.errors.size(); ++s)
-        value = std::fmax(value, std::abs(of_segment(s)));
-      return value;
-    };
-    const double length = largest([&](const unsigned int s) {
-      return step.errors[s].length / solve.measures[s].length;
-    });
-    const double radius = largest([&](const unsigned int s) {
-      return step.errors[s].mid_radius / solve.measures[s].mid_radius;
-    });
-    const double pressure = largest([&](const unsigned int s) {
-      return solve.segments[s].mean_pressure();
-    });
-    const double of_pressure =
-      largest([&](const unsigned int s) { return step.errors[s].pressure; });
-
-    std::ostringstream parts;
-    parts << std::setprecision(2);
-    const auto add = [&](const std::string &name, const double part) {
-      if (std::isfinite(part))
-        parts << (parts.str().empty() ? "" : ", ") << name << " "
-              << 100. * part << "%";
-    };
-    add("length", length);
-    add("radius", radius);
-    if (pressure > 0.)
-      add("pressure", of_pressure / pressure);
-    if (!parts.str().empty())
-      log << "        estimated errors, the largest of all segments: "
-          << parts.str() << "\n";
+    log << line_of_errors("estimated errors", step.errors, solve)
+        << line_of_errors("errors of steps", step.errors_of_steps, solve)
+        << line_of_errors("errors of resets", step.errors_of_resets, solve);
   }
 
 

@@ -106,6 +106,12 @@ namespace lumbricus
     cavity_contents.initialize();
     output_parts.initialize(anatomy, boundary_conditions);
     continuation.get()->initialize(*this);
+    AssertThrow(!output_parts.asks_for_errors_of_steps() ||
+                  continuation.chosen_name() == "time",
+                ExcParameter("Output/Errors of steps",
+                             "are estimated where steps are those in time, not "
+                             "on a path. Set it to false, or 'Path/Control' to "
+                             "'time'."));
     if (output_parts.asks_for_errors())
       check_finer_cells("Output/Errors", "Set it to 0");
     if (adaptivity.adapts() && adaptivity.estimator().needs_finer_cells())

@@ -109,6 +109,28 @@ def test_closed_segment(tmp_path, along, across, refined):
         assert 0.5 < quotient < 2, name
 
 
+def test_places(tmp_path):
+    """Beside a finer mesh; none where friction holds the body."""
+    def places(name, along, across):
+        return {row["t"]: row for row in run_well(HERE / "segment.prm", tmp_path / name, [
+            f"{SEGMENT}Liquid=cavity", f"{SEGMENT}Cells along a segment={along}",
+            f"{SEGMENT}Cells across the liquid={across}", "Output/Errors=2",
+            "Time/First step=0.1", "Time/Largest step=0.1"]).table("errors.csv")}
+
+    found, finer = places("coarse", 1, 2), places("fine", 4, 8)
+    quotient = (max(abs(row["middle_x_error"]) for row in found.values()) /
+                max(abs(finer[t]["middle_x"] - row["middle_x"])
+                    for t, row in found.items()))
+    print(quotient)
+    assert 0.5 < quotient < 2
+
+    held = run_well(SOURCE / "parameters" / "burrow" / "case.prm", tmp_path / "held", [
+        f"{SEGMENT}Number of segments=1", "Time/End=0.15", "Output/Every=0",
+        "Output/Errors=1"]).table("errors.csv")
+    assert all(math.isnan(row["middle_x_error"]) and row["length_error"] != 0
+               for row in held)
+
+
 def main_job(folder, name, settings=(), ranks=1):
     return run_well(PERISTALSIS / f"{name}.prm", folder,
                     ["Output/Every=0", "Output/Errors=6", "Time/End=0.6",

@@ -137,6 +137,20 @@ def test_estimated_errors(tmp_path, monkeypatch):
         drawn.errors = None
     assert drawings[0] != drawings[1]
 
+    # Those of steps and resets, apart, without those of the mesh.
+    for line in (["Output/Errors of steps=true"],
+                 ["Output/Errors of steps=true", "Output/Errors of resets=2"]):
+        other = run_well(SOURCE / "parameters" / "viscous_segment" / "case.prm",
+                         tmp_path / str(len(line)),
+                         [*line, "Output/Every=0", "Time/End=0.1",
+                          "Geometry/segment chain/Cells along a segment=2"])
+        assert main([str(other.folder), "--only", "errors"]) == 0
+        assert Image.open(other.folder / "errors.png").size[0] > 500
+        assert abs(in_per_cent(RunFolder(other.folder), "middle_x",
+                               "_of_steps")).max() == pytest.approx(
+            100 * max(abs(row["middle_x_error_of_steps"]) / row["length"]
+                      for row in other.table("errors.csv")), rel=0.1)
+
     (run.folder / "errors.csv").unlink()
     assert main([str(run.folder), "--only", "errors", "report"]) == 0
     assert "Estimated errors" not in (run.folder / "report.html").read_text()

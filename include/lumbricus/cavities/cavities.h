@@ -63,6 +63,13 @@ namespace lumbricus
       return !walls.empty();
     }
 
+    /** Whether something flows between them, out or in. */
+    bool
+    something_flows() const
+    {
+      return any() && contents.exchange().any();
+    }
+
     /** From now on a load step from @p state is under way. */
     void
     set_to(const State &state);

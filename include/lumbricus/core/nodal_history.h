@@ -61,6 +61,15 @@ namespace lumbricus
     static std::string
     of_branch(const unsigned int k, const unsigned int part);
 
+    /** What a state calls the history @p name of the state beside it, see
+     * put_beside(): 'beside:u_ref'. */
+    static std::string
+    of_state_beside(const std::string &name);
+
+    /** Whether @p name is one of those of a state beside. */
+    static bool
+    is_of_state_beside(const std::string &name);
+
     /** Whether there can be a history @p name in this version. */
     static bool
     is_known(const std::string &name);

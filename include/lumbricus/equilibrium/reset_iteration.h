@@ -39,6 +39,18 @@ namespace lumbricus
       std::vector<double>          divergence; ///< eta
     };
 
+    /** Whether a reset forgets by how much the volume has changed, so that it
+     * matters how often there is one. */
+    bool
+    forgets_volume() const
+    {
+      return mode == "full";
+    }
+
+    /** The same, but for at least @p n resets of all liquid in one load step. */
+    ResetIteration
+    with_least(const unsigned int n) const;
+
     /** Called after every solve, with which segments are reset then. */
     using Listener =
       std::function<void(const Solve &, const std::vector<bool> &)>;

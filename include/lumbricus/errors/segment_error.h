@@ -4,14 +4,15 @@
 
 namespace lumbricus
 {
-  /** What is estimated to be missing in the numbers of a segment: what cells of
-   * half the size would have, minus what there is. NaN where there is no
-   * estimate. */
+  /** What is estimated to be missing in the numbers of a segment: what smaller cells,
+   * shorter steps or more resets would have, minus what there is. NaN where there is
+   * no estimate. */
   struct SegmentError
   {
     double length     = 0.; ///< of SectionMeasures::length [mm]
     double mid_radius = 0.; ///< of SectionMeasures::mid_radius [mm]
     double pressure   = 0.; ///< of SegmentState::mean_pressure() [N/mm^2]
+    double position   = 0.; ///< of SectionMeasures::middle() [mm]
   };
 } // namespace lumbricus
 

@@ -26,6 +26,13 @@ namespace lumbricus
     double end;   ///< the mean x of the one towards the tail
     /** From the one to the other, but for what lies in no plane of symmetry. */
     dealii::Tensor<1, dim> axis;
+
+    /** Where the segment is: the x in the middle of both end sections. */
+    double
+    middle() const
+    {
+      return 0.5 * (begin + end);
+    }
   };
 
   /** The measures of every segment at @p relevant_solution, a ghosted vector.

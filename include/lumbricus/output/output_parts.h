@@ -64,6 +64,15 @@ namespace lumbricus
     bool
     asks_for_errors(const unsigned int number) const;
 
+    /** Whether any of these tables needs StepRecord::errors_of_steps. */
+    bool
+    asks_for_errors_of_steps() const;
+
+    /** Whether any of these tables needs StepRecord::errors_of_resets after step
+     * @p number. */
+    bool
+    asks_for_errors_of_resets(const unsigned int number) const;
+
     /** The arrays of all fields, in the order of Field::place(). After
      * initialize(). */
     const std::vector<FieldArray> &

@@ -74,8 +74,13 @@ namespace lumbricus
     BodyMotion motion;
     /** The adaptations of the mesh after it. */
     std::vector<AdaptationRecord> adaptations;
-    /** Of each segment, where a table asks for them; else empty. */
+    /** Of each segment, what the mesh makes, where a table asks for that; else
+     * empty. */
     std::vector<SegmentError> errors;
+    /** What steps in time make, in the same way. */
+    std::vector<SegmentError> errors_of_steps;
+    /** What the tolerance of the reset makes, in the same way. */
+    std::vector<SegmentError> errors_of_resets;
 
     /** The reports of all solves there were, in their order. */
     std::vector<const ResetIteration::Report *>

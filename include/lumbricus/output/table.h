@@ -58,6 +58,22 @@ namespace lumbricus
       return 0;
     }
 
+    /** Whether write() reads StepRecord::errors_of_steps, which are not estimated
+     * otherwise. */
+    virtual bool
+    asks_for_errors_of_steps() const
+    {
+      return false;
+    }
+
+    /** Whether write() reads StepRecord::errors_of_resets after step @p number, which
+     * are not estimated otherwise. */
+    virtual bool
+    asks_for_errors_of_resets(const unsigned int /*number*/) const
+    {
+      return false;
+    }
+
     /** The names of its columns. */
     virtual std::vector<std::string>
     columns() const = 0;

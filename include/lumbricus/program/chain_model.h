@@ -16,6 +16,7 @@
 #include <deal.II/base/timer.h>
 #include <deal.II/distributed/tria.h>
 
+#include <optional>
 #include <vector>
 
 namespace lumbricus
@@ -60,6 +61,17 @@ namespace lumbricus
     State
     rest_state() const;
 
+    /** The order of accuracy of load steps: 2 where the state remembers nothing from
+     * step to step but what viscous branches do, 1 where it remembers more, and
+     * nothing where how long they are makes no difference. */
+    std::optional<unsigned int>
+    order_of_steps() const;
+
+    /** Whether liquid flows while Newton's method goes on, see
+     * ResetIteration::lets_flow(). */
+    bool
+    liquid_flows() const;
+
     /** Make this the model of @p state under the loads at @p t, ready to be
      * linearised there. Collective. */
     void
@@ -76,6 +88,12 @@ namespace lumbricus
      */
     ResetIteration::Report
     solve(State &state);
+
+    /** What @p n more resets of all liquid, or a few more than that, make of
+     * @p state, which solve() has found: its first solve is that of the state as
+     * it is. Leaves the model at them. Throws ExcNotConverged. Collective. */
+    ResetIteration::Report
+    reset_again(const State &state, const unsigned int n);
 
     /** The forces of all loads and supports at @p state, which solve() has
      * found. Collective. */

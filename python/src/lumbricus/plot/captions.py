@@ -50,9 +50,11 @@ ENERGY = (
     "what the tissues store. Dotted is the balance, what is left of all work "
     "less what is stored: the error of the steps.")
 ERRORS = (
-    "Estimates of what smaller cells would add to the length [mm], the radius in the "
-    "middle [mm] and the pressure [N/mm²] of every segment, in per cent of the largest: "
-    "bars at the last time that has an estimate, dots at those before.")
+    "Estimates of what smaller cells would add, and where the run asks for it shorter "
+    "steps and more resets, to the length [mm], the radius in the middle [mm], the "
+    "pressure [N/mm²] and the place [mm] of every segment, in per cent of the largest, "
+    "of the place in per cent of the largest length: bars at the last time that has an "
+    "estimate, dots at those before.")
 SEGMENTS = (
     "Length [mm] and radius in the middle [mm], pressure [N/mm²] and relative "
     "change of the volume [-] of the liquid (of the wall where there is none) "

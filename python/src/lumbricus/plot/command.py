@@ -38,7 +38,8 @@ is over or still going on, gets
   energy.png       the work of muscles, loads and friction, and what is
                    stored; of a run with Output/Energy
   errors.png       by how much the numbers of segments are off since cells are as
-                   large as they are; of a run with Output/Errors
+                   large and steps as long as they are; of a run with Output/Errors,
+                   Errors of steps or Errors of resets
   segments.png     length, radius, pressure and volume of every segment
   convergence.png  resets, divergence after each, residuals of Newton's method
   report.html      all of these but picture.png in one file, with numbers and

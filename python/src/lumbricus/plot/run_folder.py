@@ -19,7 +19,11 @@ from .fields import read_grid, read_series
 from .tables import DESCRIPTION, read_description, read_table, values_of
 
 # What errors.csv has of each segment, with its title.
-ESTIMATED = {"length": "length", "mid_radius": "radius", "fluid_pressure": "pressure"}
+ESTIMATED = {"length": "length", "mid_radius": "radius", "fluid_pressure": "pressure",
+             "middle_x": "place"}
+# What its errors come from, by the end of their columns.
+SOURCES = {"": "smaller cells", "_of_steps": "shorter steps",
+           "_of_resets": "more resets"}
 
 
 class PlotError(Exception):
@@ -177,9 +181,11 @@ class RunFolder:
         """errors.csv; None where the run has no estimates, or none yet."""
         if not (self.path / "errors.csv").exists():
             return None
-        table = self.whole_groups(self.table(
-            "errors.csv", ["t", "segment", *ESTIMATED,
-                           *(f"{name}_error" for name in ESTIMATED)]))
+        table = self.whole_groups(self.table("errors.csv",
+                                             ["t", "segment", *ESTIMATED]))
+        check_columns(table, self.path / "errors.csv", [
+            f"{name}_error{source}" for name in ESTIMATED for source in SOURCES
+            if f"length_error{source}" in table])
         return table if len(table["t"]) else None
 
     def read_times(self, name: str) -> Series:
