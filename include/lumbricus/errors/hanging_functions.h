@@ -33,7 +33,7 @@ namespace lumbricus
     struct OfFamily
     {
       std::vector<unsigned int> places; ///< free unknown of each function
-      std::vector<Entry>        entries;
+      std::vector<Entry>        entries; ///< of E
     };
 
     /** For the small cells @p body; everything is kept by reference. Collective. */
