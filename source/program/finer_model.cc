@@ -3,6 +3,8 @@
 
 #include <lumbricus/core/exceptions.h>
 #include <lumbricus/discretization/state_beside.h>
+#include <lumbricus/discretization/displacement_before.h>
+#include <lumbricus/errors/shape_change.h>
 #include <lumbricus/linear/bordered_system.h>
 #include <lumbricus/measures/section_measures.h>
 #include <lumbricus/measures/segment_state.h>
@@ -64,6 +66,7 @@ namespace lumbricus
 
   FinerModel::FinerModel(ChainModel &model, const Shape shape)
     : model(model)
+    , shape(shape)
     , timer(std::cout,
             dealii::TimerOutput::never,
             dealii::TimerOutput::wall_times)
@@ -101,6 +104,13 @@ namespace lumbricus
     const State alone = without_state_beside(state);
     prolongated       = finer.space.zero_state(alone.outline());
     cells->prolongate(alone, prolongated);
+    if (shape == Shape::true_one &&
+        prolongated.histories.count(displacement_before.name()) == 0)
+      follow_shape(model.body,
+                   finer.body,
+                   finer.assembler.tangent().unknowns,
+                   *cells,
+                   prolongated);
     State on_finer = prolongated;
     AssertThrow(finer.linearise_at(on_finer),
                 ExcNotConverged("On a finer mesh " +

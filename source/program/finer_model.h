@@ -49,6 +49,7 @@ namespace lumbricus
 
   private:
     ChainModel         &model;
+    const Shape         shape;
     dealii::TimerOutput timer; ///< whose times nobody asks for
     FinerSolver         solver;
     ChainModel          finer;
