@@ -104,7 +104,10 @@ namespace lumbricus
     const State alone = without_state_beside(state);
     prolongated       = finer.space.zero_state(alone.outline());
     cells->prolongate(alone, prolongated);
+    // What else is remembered as a displacement stays where it was: then so does
+    // this one.
     if (shape == Shape::true_one &&
+        (!model.body.anatomy.has_liquid() || model.liquid_flows()) &&
         prolongated.histories.count(displacement_before.name()) == 0)
       follow_shape(model.body,
                    finer.body,
