@@ -73,8 +73,8 @@ def test_same_mesh_and_finer_ones(coarse, tmp_path):
     log = said(coarse.folder, COARSE + ["Output/Every=3", "Title=Again"])
     assert f"An earlier run in '{coarse.folder}' on 909 unknowns" in log
     assert "This mesh is the same" in log
-    numbers = re.search("at most length (.*)%, mid radius (.*)%, fluid pressure "
-                        "(.*)%", log).groups()
+    numbers = re.search("at most length ([^%]*)%, mid radius ([^%]*)%, fluid pressure "
+                        "([^%]*)%, middle x ", log).groups()
     for number, (name, error) in zip(numbers, estimated(coarse).items()):
         assert float(number) == pytest.approx(error, rel=0.06), name
 
@@ -84,7 +84,8 @@ def test_same_mesh_and_finer_ones(coarse, tmp_path):
     log = said(finer, settings)
     assert "cells 2 times smaller. To be expected:" in log
     ranges = expected(log)
-    assert ranges.keys() == NAMES.keys()
+    # The place of a segment has its own.
+    assert NAMES.keys() <= ranges.keys()
     found = estimated(run_well(HERE / "segment.prm", tmp_path / "finer", settings))
     for name, (least, largest) in ranges.items():
         print(name, least, largest, found[name])

@@ -62,7 +62,7 @@ def test_error_bars(finished, tmp_path):
     last = run.errors.iloc[-1]
     bars = run.bars()
     assert list(bars.columns) == ["t", "segment", "length", "mid_radius",
-                                  "fluid_pressure"]
+                                  "fluid_pressure", "middle_x"]
     for name in ("length", "mid_radius", "fluid_pressure"):
         value, error = map(float, bars[name].iloc[-1].split(" ± "))
         assert value == pytest.approx(last[name], rel=1e-2)
