@@ -242,7 +242,8 @@ end
     EXPECT_TRUE(g.empty());
     EXPECT_GT(x.l2_norm(), 0.);
     alone -= x;
-    EXPECT_EQ(alone.l2_norm(), 0.);
+    // Ranks add in the order in which messages come.
+    EXPECT_LT(alone.l2_norm(), 1e-11 * x.l2_norm());
   }
 
 
