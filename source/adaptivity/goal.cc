@@ -67,12 +67,12 @@ namespace lumbricus
           if (name == number.name)
             goal.*number.asked_for = true;
 
-      const std::string path   = "Adaptivity/goal/Segments";
-      const auto        ranges = parse_segment_ranges(path, segments);
-      const auto        range =
-        range_of_segments(path, ranges, anatomy.geometry().n_segments());
-      for (unsigned int s = 0; s < range.size(); ++s)
-        if (ranges.empty() || range[s] < ranges.size())
+      // An empty list is all of them.
+      const unsigned int n = anatomy.geometry().n_segments();
+      goal.segments =
+        segments_in_list("Adaptivity/goal/Segments", segments, n);
+      if (goal.segments.empty())
+        for (unsigned int s = 0; s < n; ++s)
           goal.segments.push_back(s);
     }
 

@@ -118,13 +118,9 @@ namespace lumbricus
   void
   MeasureControl::initialize(const RunParameters &parameters)
   {
-    const auto ranges = parse_segment_ranges(path("Segments"), segment_list);
-    const auto range  = range_of_segments(
-      path("Segments"), ranges, parameters.anatomy.geometry().n_segments());
-    of_segments.clear();
-    for (unsigned int s = 0; s < range.size(); ++s)
-      if (range[s] < ranges.size())
-        of_segments.push_back(s);
+    of_segments = segments_in_list(path("Segments"),
+                                   segment_list,
+                                   parameters.anatomy.geometry().n_segments());
     AssertThrow(!of_segments.empty(),
                 ExcInput(about_parameter(path("Segments"),
                                          "is empty. Name one at least.")));

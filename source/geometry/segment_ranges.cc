@@ -77,4 +77,20 @@ namespace lumbricus
       }
     return range_of;
   }
+
+
+
+  std::vector<unsigned int>
+  segments_in_list(const std::string &parameter,
+                   const std::string &list,
+                   const unsigned int n_segments)
+  {
+    const auto ranges   = parse_segment_ranges(parameter, list);
+    const auto range_of = range_of_segments(parameter, ranges, n_segments);
+    std::vector<unsigned int> segments;
+    for (unsigned int s = 0; s < n_segments; ++s)
+      if (range_of[s] < ranges.size())
+        segments.push_back(s);
+    return segments;
+  }
 } // namespace lumbricus

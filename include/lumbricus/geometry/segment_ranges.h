@@ -38,6 +38,15 @@ namespace lumbricus
   range_of_segments(const std::string               &parameter,
                     const std::vector<SegmentRange> &ranges,
                     const unsigned int               n_segments);
+
+
+
+  /** The segments, from zero and in their order, that are in a list like "1, 8-10".
+   * Throws as the two above do. */
+  std::vector<unsigned int>
+  segments_in_list(const std::string &parameter,
+                   const std::string &list,
+                   const unsigned int n_segments);
 } // namespace lumbricus
 
 #endif
